@@ -1,0 +1,492 @@
+/* rsh.h - ray tracing with a hierarchy over the rays, and stream reduction, in portable OpenCL.
+ *
+ * The scene is never preprocessed: rsh_rasterize finds what the camera sees, rsh_spawn makes the
+ * secondary rays, rsh_build bounds them bottom-up in a pyramid of nodes, rsh_traverse pushes all
+ * triangles down that pyramid and keeps the closest hits, rsh_shade turns hits into colour.
+ * rsh_frame is that loop, made of the same calls. Idea and pipeline: Roger, Assarsson, Holzschuch,
+ * "Whitted Ray-Tracing for Dynamic Scenes using a Ray-Space Hierarchy on the GPU", EGSR 2007;
+ * stream reduction: the same authors, "Efficient Stream Reduction on the GPU", GPGPU 2007.
+ *
+ * Rules for all functions
+ *
+ *   Ownership  The caller owns cl_context, cl_device_id, cl_command_queue, cl_mem and cl_event.
+ *              Buffers are used while the enqueued commands run and must live until then; none is
+ *              retained afterwards. To pass a part of a buffer, pass an OpenCL sub-buffer.
+ *   Structs    Descriptors start with struct_size = sizeof the struct; a member that is zero or NULL
+ *              takes its default. They grow only at the end. Host data they point at (a wait
+ *              list, a level table) is read before the call returns.
+ *   Async      A function with (wait_count, wait_list, done) only enqueues: it waits for no event,
+ *              flushes nothing, reads nothing back. *done, if `done` is not NULL, is always a valid
+ *              event of the caller's that ends after everything the call enqueued, also when there
+ *              was nothing to do. In-order and out-of-order queues both work.
+ *              rsh_frame, rsh_get_statistics and rsh_create_context may block, and say so.
+ *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
+ *              context's pool, which grows on first use and then stays. Contents are undefined
+ *              before and after; one scratch buffer serves one call at a time.
+ *   Errors     Every argument is checked before anything is enqueued; a status other than
+ *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure in
+ *              the middle of a call, when they are undefined. rsh_last_error() says more.
+ *   Threads    Any function may be called from any thread. Calls on one context run side by side
+ *              if their output buffers differ; rsh_release_context must be the last call on it.
+ *   Exactness  Hits do not depend on engine, strategy, budget or the order in which work-items
+ *              run: they equal brute force with the same ray-triangle routine, bit for bit. Of
+ *              equal t, the lower triangle index wins.
+ *
+ * All calls: since 0.1.
+ */
+#ifndef RSH_H
+#define RSH_H
+
+#include <rsh/rsh_types.h>
+#include <stddef.h>
+
+#if defined(RSH_STATIC)
+#define RSH_API
+#elif defined(_WIN32)
+#ifdef RSH_BUILDING
+#define RSH_API __declspec(dllexport)
+#else
+#define RSH_API __declspec(dllimport)
+#endif
+#else
+#define RSH_API __attribute__((visibility("default")))
+#endif
+
+#define RSH_VERSION_MAJOR 0
+#define RSH_VERSION_MINOR 1
+#define RSH_VERSION_PATCH 0
+#define RSH_MAKE_VERSION(major, minor, patch) (((major) * 1000000) + ((minor) * 1000) + (patch))
+#define RSH_VERSION RSH_MAKE_VERSION(RSH_VERSION_MAJOR, RSH_VERSION_MINOR, RSH_VERSION_PATCH)
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- status ---- */
+
+/* 0 is success, OpenCL's own negative codes pass through, rsh's own start at -4096. */
+typedef cl_int rsh_status;
+enum {
+    RSH_SUCCESS = 0,
+    RSH_INVALID_VALUE = -4096,    /* a field is wrong; the message names it                   */
+    RSH_BUFFER_TOO_SMALL = -4097, /* a buffer holds fewer bytes than the call needs           */
+    RSH_NO_DEVICE = -4098,        /* no platform or device: is an OpenCL driver installed?    */
+    RSH_BUILD_FAILED = -4099,     /* a kernel did not compile; the message has the log        */
+    RSH_UNSUPPORTED = -4100,      /* the device lacks what the call needs                     */
+    RSH_OUT_OF_MEMORY = -4101,    /* the host is out of memory                                */
+    RSH_CANCELLED = -4102,        /* the progress callback asked to stop                      */
+    RSH_INTERNAL_ERROR = -4103    /* a defect of rsh                                          */
+};
+
+/* Name and one-line meaning of a status, for any value. Static storage. */
+RSH_API const char* rsh_status_string(rsh_status status);
+
+/* What the last failed call of this thread found wrong: field, actual and required value; for
+ * RSH_BUILD_FAILED the compiler's log. Never NULL; valid until the thread's next rsh call. */
+RSH_API const char* rsh_last_error(void);
+
+/* RSH_VERSION of the library at run time; differs from the header's when they do not match. */
+RSH_API cl_uint rsh_version(void);
+
+/* ---- context ---- */
+
+/* Programs, kernels and scratch memory for one device of one OpenCL context. */
+typedef struct rsh_context_s* rsh_context;
+
+typedef struct rsh_context_desc {
+    size_t struct_size;
+    cl_context context;     /* retained until release */
+    cl_device_id device;    /* of that context */
+    cl_uint vector_width;   /* elements per work-item written out as a vector: 1, 4, 8 or 16;
+                               0: what suits the device (1 on GPUs) */
+    const char* cache_dir;  /* programs on disk; NULL: RSH_CACHE_DIR, else the user's cache folder;
+                               "": none */
+    const char* kernel_dir; /* kernel sources, while developing; NULL: RSH_KERNEL_DIR, else the
+                               embedded ones */
+} rsh_context_desc;
+
+/* Makes a context. Compiles nothing: a program is built by the first call that needs it, which
+ * blocks meanwhile. Reads the disk cache's folder name from the environment.
+ * Errors: RSH_INVALID_VALUE (device is not of the context), RSH_UNSUPPORTED (no OpenCL C 1.2, no
+ * compiler, big-endian). Cost: microseconds. */
+RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);
+
+/* Frees a context made by rsh_create_context, its programs and its scratch memory, once the
+ * commands enqueued by its calls have finished. NULL is ignored. */
+RSH_API void rsh_release_context(rsh_context context);
+
+/* Picks a device, for programs that have no context of their own: the first whose name, or whose
+ * platform's, contains `name`; with NULL, RSH_DEVICE from the environment; without that, the first
+ * device of the first platform that has one. Errors: RSH_NO_DEVICE. */
+RSH_API rsh_status rsh_find_device(const char* name, cl_platform_id* platform,
+                                   cl_device_id* device);
+
+/* ---- statistics ---- */
+
+/* The paper's repartition of a frame's time. */
+enum {
+    RSH_STAGE_RASTERIZE = 0, /* primary rays and hits                              */
+    RSH_STAGE_BOUND = 1,     /* spheres around the triangles                       */
+    RSH_STAGE_SPAWN = 2,     /* secondary and shadow rays                          */
+    RSH_STAGE_BUILD = 3,     /* the hierarchy                                      */
+    RSH_STAGE_TEST = 4,      /* cone-sphere tests                                  */
+    RSH_STAGE_REDUCE = 5,    /* stream reduction                                   */
+    RSH_STAGE_INTERSECT = 6, /* ray-triangle tests                                 */
+    RSH_STAGE_SHADE = 7,     /* shading                                            */
+    RSH_STAGE_OTHER = 8,     /* clears, reads, and what no other stage claims      */
+    RSH_STAGE_COUNT = 9
+};
+
+typedef struct rsh_statistics {
+    size_t struct_size;
+    cl_ulong stage_ns[RSH_STAGE_COUNT]; /* device time; 0 without CL_QUEUE_PROFILING_ENABLE  */
+    cl_ulong launches;                  /* commands enqueued                                 */
+    cl_ulong host_waits;                /* times a call blocked for the device               */
+    cl_ulong programs_built;            /* compiled from source                              */
+    cl_ulong programs_loaded;           /* taken from the disk cache                         */
+    cl_ulong traversals;
+    cl_ulong batches;                   /* runs of triangles that the traversals worked off  */
+    cl_ulong pairs_tested[RSH_MAX_LEVELS + 1]; /* (triangle, node) pairs at level l: input of
+                                                  the tests of its children; [0]: (triangle,
+                                                  ray) pairs intersected                     */
+    cl_ulong pairs_walked[RSH_MAX_LEVELS + 1]; /* of these, finished depth first because the
+                                                  budget was full                            */
+    cl_ulong peak_pairs;                       /* longest stream that left a reduction       */
+    cl_ulong active_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: rays per bounce; [0]: pixels with
+                                                  a primary hit                              */
+    cl_ulong shadow_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: shadow rays cast at the hits of
+                                                  that bounce                                */
+    cl_ulong scratch_bytes;                    /* in the context's pool                      */
+} rsh_statistics;
+
+/* Starts (enabled = 1) or stops counting on this context, from zero. Counting costs a few
+ * percent; without it, no event is kept and no counter kernel runs. */
+RSH_API rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled);
+
+/* Adds up everything enqueued since rsh_count_statistics. BLOCKS until those commands ended.
+ * Set statistics->struct_size first. */
+RSH_API rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics);
+
+/* ---- what a scene needs ---- */
+
+/* Bits of a feature mask: whatever is not set is not compiled, allocated or launched. */
+typedef cl_uint rsh_features;
+#define RSH_FEATURE_REFLECTION 0x01u
+#define RSH_FEATURE_REFRACTION 0x02u
+#define RSH_FEATURE_SHADOW 0x04u
+#define RSH_FEATURE_TEXTURE 0x08u
+#define RSH_FEATURE_SMOOTH_NORMAL 0x10u
+#define RSH_FEATURE_ENVIRONMENT_IMAGE 0x20u
+#define RSH_FEATURE_ALL 0x3fu
+
+/* Triangles. A triangle with an index out of range or a vertex that is not finite is never hit;
+ * one that a ray sees edge-on, or that has no area, is not hit by it. Both faces count. */
+typedef struct rsh_geometry {
+    cl_mem vertices;              /* in: x, y, z as floats [world] at every stride        */
+    cl_ulong vertices_offset;     /* bytes before the first x, a multiple of 4            */
+    cl_uint vertex_stride;        /* bytes, a multiple of 4; 0: 12, tightly packed        */
+    cl_uint vertex_count;
+    cl_mem indices;               /* in: three cl_uint per triangle; NULL: triangle i has the
+                                     vertices 3i, 3i + 1, 3i + 2                          */
+    cl_ulong indices_offset;      /* bytes, a multiple of 4                               */
+    cl_uint triangle_count;       /* below 2^28 */
+} rsh_geometry;
+
+/* Geometry with everything that shading reads. All arrays live in device buffers, so a moving
+ * mesh re-uploads its vertices (and normals) only. */
+typedef struct rsh_scene {
+    size_t struct_size;
+    rsh_geometry geometry;
+    cl_mem normals;               /* 3 floats per vertex, packed; NULL: flat shading       */
+    cl_mem texcoords;             /* 2 floats per vertex, packed; NULL: no textures        */
+    cl_mem material_ids;          /* cl_uint per triangle; NULL: material 0 everywhere;
+                                     out of range: material 0                              */
+    cl_mem materials;             /* material_count x rsh_material                         */
+    cl_uint material_count;       /* at least 1 */
+    cl_mem lights;                /* light_count x rsh_light; may be NULL when there is none */
+    cl_uint light_count;          /* at most RSH_MAX_LIGHTS */
+    cl_uint shadow_lights;        /* bit k: light k casts shadows; see rsh_find_features   */
+    cl_mem textures;              /* texture_count x rsh_texture                           */
+    cl_uint texture_count;
+    cl_mem texels;                /* what they point into */
+    rsh_float4 ambient;           /* rgb of the light from everywhere, w: 0                */
+    rsh_float4 environment;       /* rgb that a ray sees which hits nothing; scales the image */
+    cl_uint environment_texture;  /* 1 + index of a latitude-longitude image, +y up;
+                                     0: none, the plain colour                             */
+    rsh_features features;        /* what shading must support; 0: nothing beyond flat, local
+                                     light; see rsh_find_features                          */
+} rsh_scene;
+
+/* Fills scene->features and scene->shadow_lights with what these materials and lights (host
+ * copies of the device arrays) and the buffers present in `scene` need. Call it when they change;
+ * leave a bit out to switch a feature off. */
+RSH_API rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
+                                     const rsh_light* lights);
+
+/* ---- primary rays ---- */
+
+typedef struct rsh_rasterize_desc {
+    size_t struct_size;
+    rsh_geometry geometry;
+    rsh_camera camera;
+    cl_uint width;          /* pixels, 1 .. 16384 */
+    cl_uint height;
+    cl_mem rays;            /* out: width * height x rsh_ray, row by row from the top       */
+    cl_mem hits;            /* out: width * height x rsh_hit                                */
+    cl_mem scratch;
+    size_t scratch_budget;  /* bytes for the tiles' triangle lists; 0: what usually suffices. With
+                               less the call is slower, never wrong                         */
+} rsh_rasterize_desc;
+
+typedef struct rsh_sizes {
+    size_t struct_size;
+    size_t output_bytes;  /* of the call's own output: nodes, spheres, ... */
+    size_t scratch_bytes;
+} rsh_sizes;
+
+RSH_API rsh_status rsh_rasterize_query(rsh_context context, const rsh_rasterize_desc* desc,
+                                       rsh_sizes* sizes);
+
+/* Finds the triangle that each pixel's centre sees, in screen tiles (cf. Laine and Karras 2011).
+ *
+ * Effect:  rays = the camera's rays with unit directions; hits = their closest hits, the same bits
+ *          that rsh_traverse finds for these rays: shared edges neither crack nor overlap.
+ * Limits:  one sample per pixel; triangles across the near plane are clipped by tmin.
+ * Errors:  RSH_INVALID_VALUE (camera not finite, no direction), RSH_BUFFER_TOO_SMALL.
+ * Cost:    O(triangles + pixels * triangles that cover them); four launches. */
+RSH_API rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
+                                 const rsh_rasterize_desc* desc, cl_uint wait_count,
+                                 const cl_event* wait_list, cl_event* done);
+
+/* ---- spheres around the triangles ---- */
+
+typedef struct rsh_bound_desc {
+    size_t struct_size;
+    rsh_geometry geometry;
+    cl_mem spheres; /* out: triangle_count x float4, centre and radius [world]; radius -1: the
+                       triangle is never hit */
+} rsh_bound_desc;
+
+/* Bounds every triangle by a sphere, rounded outwards. One linear pass; once per frame, shared by
+ * all traversals of that frame. output_bytes of the query: 16 per triangle. */
+RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
+                                   rsh_sizes* sizes);
+RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
+                             const rsh_bound_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
+
+/* ---- the hierarchy over the rays ---- */
+
+typedef struct rsh_build_desc {
+    size_t struct_size;
+    cl_mem rays;      /* in: width * height x rsh_ray                                         */
+    cl_uint width;    /* rays in screen order, row by row; or a list of `width` rays, height 1 */
+    cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
+    cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad       */
+} rsh_build_desc;
+
+/* Fills *levels (may be NULL) and the sizes; no device work. */
+RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc,
+                                   rsh_sizes* sizes, rsh_levels* levels);
+
+/* Builds the hierarchy over the rays, bottom-up, one pass per level (Roger et al. 2007, step 2).
+ *
+ * Effect:  every node contains all active rays below it, rounding included.
+ * Cost:    O(rays); one launch per level; 32 bytes per ray at level 0, 11 above. */
+RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
+                             const rsh_build_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
+
+/* ---- traversal ---- */
+
+/* How to traverse. */
+enum {
+    RSH_ENGINE_DEFAULT = 0,
+    RSH_ENGINE_PAPER = 1,      /* breadth first, a stream of pairs, a reduction per level     */
+    RSH_ENGINE_BRUTE_FORCE = 2 /* every ray against every triangle: the yardstick             */
+};
+
+/* How to reduce a stream. */
+enum {
+    RSH_STRATEGY_DEFAULT = 0,     /* what suits the device */
+    RSH_STRATEGY_CHUNK = 1,       /* one run of elements per work-item, no barrier; stable    */
+    RSH_STRATEGY_SCAN_SCATTER = 2 /* prefix sum in work-groups, then scatter; stable          */
+};
+
+/* What to find. */
+enum {
+    RSH_QUERY_CLOSEST = 0, /* hits: the closest hit of each ray                               */
+    RSH_QUERY_ANY = 1      /* occlusion: whether anything is hit, one bit per ray             */
+};
+
+/* Called on the calling thread before each batch is enqueued; nonzero cancels: the call returns
+ * RSH_CANCELLED and outputs are undefined. */
+typedef int (*rsh_progress)(cl_uint batch, cl_uint batch_count, void* user);
+
+typedef struct rsh_traverse_desc {
+    size_t struct_size;
+    rsh_geometry geometry;
+    cl_mem spheres;        /* in: from rsh_bound; NULL: made in scratch                       */
+    cl_mem rays;           /* in: width * height x rsh_ray                                    */
+    cl_mem nodes;          /* in: from rsh_build over these rays; unused by brute force       */
+    cl_uint width;
+    cl_uint height;        /* 0: 1, as in rsh_build_desc                                      */
+    cl_uint query;         /* RSH_QUERY_... */
+    cl_mem hits;           /* closest: out: width * height x rsh_hit                          */
+    cl_mem occlusion;      /* any: in/out: width * height x cl_uint, a mask per ray           */
+    cl_uint occlusion_bit; /* any: 0 .. 31: the bit that is set when the ray hits something;
+                              other bits, and rays that hit nothing, stay as they are         */
+    cl_uint engine;        /* RSH_ENGINE_... */
+    cl_uint strategy;      /* RSH_STRATEGY_... */
+    size_t budget;         /* bytes for the pair streams; 0: enough for most scenes, at least
+                              RSH_MIN_BUDGET otherwise. Changes time, never a hit             */
+    cl_mem scratch;
+    rsh_progress progress; /* may be NULL */
+    void* progress_user;
+} rsh_traverse_desc;
+
+#define RSH_MIN_BUDGET 65536
+
+RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc,
+                                      rsh_sizes* sizes);
+
+/* Intersects scene and hierarchy top-down (Roger et al. 2007, steps 3 and 4).
+ *
+ * Effect:  all triangles start as pairs with the root; per level, each pair is tested against the
+ *          four children and the survivors are packed; survivors at level 0 are intersected.
+ *          Triangles are worked off in batches that fit the budget. Pairs that a level cannot hold
+ *          are finished depth first by the work-item that meets them, so that no stream overflows,
+ *          no pair is lost and no count is read back.
+ * Cost:    O(triangles + pairs); 1 + launches per level * levels, per batch. */
+RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
+                                const rsh_traverse_desc* desc, cl_uint wait_count,
+                                const cl_event* wait_list, cl_event* done);
+
+/* ---- secondary rays ---- */
+
+enum {
+    RSH_SPAWN_REFLECTION = 0,
+    RSH_SPAWN_REFRACTION = 1,
+    RSH_SPAWN_SHADOW = 2
+};
+
+typedef struct rsh_spawn_desc {
+    size_t struct_size;
+    const rsh_scene* scene;
+    cl_uint kind;            /* RSH_SPAWN_... */
+    cl_uint light;           /* shadow: index of the light */
+    cl_uint ray_count;
+    cl_mem rays;             /* in: the rays that hit                                         */
+    cl_mem hits;             /* in: their closest hits                                        */
+    cl_mem weights;          /* in: float4 per ray, rgb; NULL: all 1; unused for shadow       */
+    float min_weight;        /* rays whose largest weight is not above it are not spawned     */
+    cl_mem spawned_rays;     /* out: one per ray; inactive where nothing is spawned           */
+    cl_mem spawned_weights;  /* out: float4 per ray; unused for shadow                        */
+    cl_mem active_count;     /* in/out: one cl_uint, grows by the rays spawned; may be NULL   */
+} rsh_spawn_desc;
+
+/* Makes one secondary ray per hit. Origins are moved off the surface along its geometric normal
+ * by a few units in the last place (Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
+ * A shadow ray runs from the surface to the light, tmin 0; for a point or spot light t = 1 is the
+ * light, kept outside of tmax. Surfaces that face away from the light get none. One launch. */
+RSH_API rsh_status rsh_spawn(rsh_context context, cl_command_queue queue,
+                             const rsh_spawn_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
+
+/* ---- shading ---- */
+
+typedef struct rsh_shade_desc {
+    size_t struct_size;
+    const rsh_scene* scene;
+    cl_uint ray_count;
+    cl_mem rays;      /* in */
+    cl_mem hits;      /* in: closest hits of the rays                                         */
+    cl_mem weights;   /* in: float4 per ray; NULL: all 1                                      */
+    cl_mem occlusion; /* in: mask per ray, bit k: light k is hidden; NULL: no shadows         */
+    cl_mem colour;    /* in/out: float4 per ray, linear rgb; a is left alone                  */
+} rsh_shade_desc;
+
+/* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit, or
+ * weight * environment where it hits nothing, to its colour. One launch. */
+RSH_API rsh_status rsh_shade(rsh_context context, cl_command_queue queue,
+                             const rsh_shade_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
+
+/* ---- the whole frame ---- */
+
+typedef struct rsh_frame_desc {
+    size_t struct_size;
+    const rsh_scene* scene;
+    rsh_camera camera;
+    cl_uint width;        /* pixels, 1 .. 16384 */
+    cl_uint height;
+    cl_uint bounces;      /* longest chain of secondary rays, at most RSH_MAX_LEVELS; 0: none  */
+    float min_weight;     /* secondary rays that weigh no more are left out; 0: only those
+                             that cannot matter                                               */
+    cl_uint engine;       /* as in rsh_traverse_desc */
+    cl_uint strategy;
+    size_t budget;
+    cl_mem colour;        /* out: width * height x float4, linear rgb, a = 1 where the pixel sees
+                             a triangle, else 0                                               */
+    cl_mem scratch;
+    rsh_progress progress; /* called before each wave of rays with its number; batch_count 0   */
+    void* progress_user;
+} rsh_frame_desc;
+
+RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,
+                                   rsh_sizes* sizes);
+
+/* Renders a frame: rasterize, then per wave of rays: build, traverse, cast shadows, shade, spawn.
+ *
+ * Waves are the nodes of the ray tree, depth first: all reflections of a wave, then all its
+ * refractions. Memory is that of one wave per bounce.
+ * BLOCKS once per secondary wave, to read how many rays it holds: an empty one ends its branch. */
+RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
+                             const rsh_frame_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
+
+/* ---- stream reduction ---- */
+
+enum {
+    RSH_KEEP_FLAGS = 0,   /* keep element i if byte i of `flags` is not 0                     */
+    RSH_KEEP_NOT_NULL = 1 /* keep element i if its first 4 bytes are not RSH_NO_HIT           */
+};
+
+typedef struct rsh_reduce_desc {
+    size_t struct_size;
+    cl_uint strategy;
+    cl_uint keep;            /* RSH_KEEP_... */
+    cl_uint element_bytes;   /* 4, 8, 12 or 16 */
+    cl_uint count;           /* elements of the input; with input_count: at most so many      */
+    cl_mem input_count;      /* in: one cl_uint on the device, not above `count`; NULL: `count` */
+    cl_mem input;            /* in */
+    cl_mem flags;            /* in: one byte per element; RSH_KEEP_FLAGS only                 */
+    cl_mem output;           /* out: room for every element kept, at most `count`             */
+    cl_mem output_count;     /* out: one cl_uint, the number kept                             */
+    cl_mem scratch;
+} rsh_reduce_desc;
+
+RSH_API rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc,
+                                    rsh_sizes* sizes);
+
+/* Packs the kept elements of a stream at the front of `output`; nothing is written behind them.
+ *
+ * Order:   both strategies are stable.
+ * Limits:  input and output must not overlap.
+ * Cost:    chunk: two launches, input read twice; scan_scatter: three. */
+RSH_API rsh_status rsh_reduce(rsh_context context, cl_command_queue queue,
+                              const rsh_reduce_desc* desc, cl_uint wait_count,
+                              const cl_event* wait_list, cl_event* done);
+
+/* Name of a strategy ("chunk") or engine ("paper"), and its value for a name; NULL and
+ * RSH_INVALID_VALUE when there is none. */
+RSH_API const char* rsh_strategy_name(cl_uint strategy);
+RSH_API const char* rsh_engine_name(cl_uint engine);
+RSH_API rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy);
+RSH_API rsh_status rsh_engine_from_name(const char* name, cl_uint* engine);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* RSH_H */

@@ -1,0 +1,157 @@
+/* rsh_types.h - every struct that crosses the border between host and device, written once.
+ *
+ * Read by C99, C++11 and OpenCL C: scalars and 4-vectors only (a 3-vector occupies four
+ * components on the device), padding spelled out, sizes asserted in all three languages.
+ * Declares no function; rsh.h is the API.
+ */
+#ifndef RSH_TYPES_H
+#define RSH_TYPES_H
+
+#ifdef __OPENCL_VERSION__
+typedef float4 rsh_float4;
+typedef float rsh_float;
+typedef uint rsh_uint;
+#else
+#ifndef CL_TARGET_OPENCL_VERSION
+#define CL_TARGET_OPENCL_VERSION 120
+#endif
+#ifdef __APPLE__
+#include <OpenCL/cl.h>
+#else
+#include <CL/cl.h>
+#endif
+typedef cl_float4 rsh_float4;
+typedef cl_float rsh_float;
+typedef cl_uint rsh_uint;
+#endif
+
+#define RSH_ASSERT_SIZE(type, bytes) \
+    typedef char type##_is_##bytes##_bytes[sizeof(type) == (bytes) ? 1 : -1]
+
+/* rsh_hit::primitive of a ray that hits nothing. */
+#define RSH_NO_HIT 0xffffffffu
+
+/* rsh_material::texture of a material without a texture. */
+#define RSH_NO_TEXTURE 0xffffffffu
+
+/* Lights of one scene: one bit each in the occlusion mask of a ray. */
+#define RSH_MAX_LIGHTS 32
+
+/* Levels of a hierarchy: 4^14 rays fill 15 levels, a list of 2^28 rays as well. */
+#define RSH_MAX_LEVELS 16
+
+/* A ray: the points origin + t * direction with tmin <= t <= tmax.
+ *
+ * The direction has any length but zero; t counts in units of that length. A ray is inactive,
+ * costs nothing in the hierarchy and hits nothing, when a component of its origin or direction
+ * is not finite, its direction is zero, tmin or tmax is NaN, or tmax < tmin. */
+typedef struct rsh_ray {
+    rsh_float4 origin_tmin;    /* xyz: origin [world], w: tmin    */
+    rsh_float4 direction_tmax; /* xyz: direction [world], w: tmax */
+} rsh_ray;
+RSH_ASSERT_SIZE(rsh_ray, 32);
+
+/* The closest hit of a ray: (1 - u - v) * vertex 0 + u * vertex 1 + v * vertex 2.
+ * Without a hit: primitive = RSH_NO_HIT, t = tmax of the ray, u = v = 0. */
+typedef struct rsh_hit {
+    rsh_float t;
+    rsh_float u;
+    rsh_float v;
+    rsh_uint primitive; /* index of the triangle */
+} rsh_hit;
+RSH_ASSERT_SIZE(rsh_hit, 16);
+
+/* Element of the stream that the traversal works on. */
+typedef struct rsh_pair {
+    rsh_uint triangle; /* RSH_NO_HIT: the pair did not survive */
+    rsh_uint node;     /* index in its level; a ray at level 0 */
+} rsh_pair;
+RSH_ASSERT_SIZE(rsh_pair, 8);
+
+/* Four sibling nodes, component by component. A node bounds the rays that start inside a
+ * sphere and leave inside a cone (Roger et al. 2007):
+ *   apex_*   centre of the sphere [world]
+ *   radius   of the sphere [world]; negative: the node holds no active ray
+ *   axis_*   unit axis of the cone
+ *   sine     of the cone's half-angle; 2: the cone is the whole space of directions */
+typedef struct rsh_node_quad {
+    rsh_float4 apex_x, apex_y, apex_z, radius;
+    rsh_float4 axis_x, axis_y, axis_z, sine;
+} rsh_node_quad;
+RSH_ASSERT_SIZE(rsh_node_quad, 128);
+
+/* Shape of a hierarchy over width x height rays (or over a list: height 1).
+ *
+ * Level 0 holds the rays, level `count` the root. Node (x, y) of level l + 1 has the children
+ * (2x, 2y), (2x+1, 2y), (2x, 2y+1), (2x+1, 2y+1) of level l; in a list, node i has the children
+ * 4i .. 4i+3. A node's index is y * width[l] + x. Its children are one rsh_node_quad, number
+ * first_quad[l] + index; children outside of the level are inactive. */
+typedef struct rsh_levels {
+    rsh_uint count;
+    rsh_uint is_list; /* 1: every level has height 1 and four children in a row */
+    rsh_uint width[RSH_MAX_LEVELS + 1];
+    rsh_uint height[RSH_MAX_LEVELS + 1];
+    rsh_uint first_quad[RSH_MAX_LEVELS + 1]; /* of the nodes of level l; [count]: all quads */
+    rsh_uint padding;
+} rsh_levels;
+RSH_ASSERT_SIZE(rsh_levels, 216);
+
+/* Pinhole camera. Pixel (x, y), y downwards, looks from `eye` along
+ *   forward + ((x + 0.5) / width * 2 - 1) * right + (1 - (y + 0.5) / height * 2) * up,
+ * normalised; so |right| / |forward| is the tangent of half the horizontal field of view. */
+typedef struct rsh_camera {
+    rsh_float4 eye;     /* xyz [world], w: near, the tmin of primary rays [world] */
+    rsh_float4 forward; /* xyz, w: far, their tmax [world]; 0: infinite            */
+    rsh_float4 right;   /* xyz, w: 0 */
+    rsh_float4 up;      /* xyz, w: 0 */
+} rsh_camera;
+RSH_ASSERT_SIZE(rsh_camera, 64);
+
+/* Whitted's material (CACM 1980), with Blinn-Phong highlights. All colours are linear.
+ * A surface sends out  emission + ambient * scene ambient
+ *   + for each light that reaches it: diffuse * cos + specular * cos(half)^shininess
+ *   + reflected weight * what the mirror ray sees + refracted weight * what the refracted ray sees.
+ * With transmission, the weights follow Fresnel's reflectance F of an unpolarized dielectric:
+ * reflected F + (1 - F) * reflection, refracted (1 - F) * transmission; F = 1 under total internal
+ * reflection. Without transmission the reflected weight is `reflection`. */
+typedef struct rsh_material {
+    rsh_float4 ambient;      /* rgb, w: 0 */
+    rsh_float4 diffuse;      /* rgb, w: 0; multiplied by the texture */
+    rsh_float4 specular;     /* rgb, w: shininess, the Blinn-Phong exponent */
+    rsh_float4 reflection;   /* rgb, w: 0 */
+    rsh_float4 transmission; /* rgb, w: index of refraction inside, relative to outside */
+    rsh_float4 emission;     /* rgb, w: 0 */
+    rsh_uint texture;        /* of the diffuse colour, or RSH_NO_TEXTURE */
+    rsh_uint padding[3];
+} rsh_material;
+RSH_ASSERT_SIZE(rsh_material, 112);
+
+#define RSH_LIGHT_POINT 0u
+#define RSH_LIGHT_DIRECTIONAL 1u
+#define RSH_LIGHT_SPOT 2u
+
+typedef struct rsh_light {
+    rsh_float4 position;    /* point, spot: xyz [world], w: 0 */
+    rsh_float4 direction;   /* directional, spot: xyz, unit, the way the light travels; w: 0 */
+    rsh_float4 colour;      /* rgb, linear; w: 0 */
+    rsh_float4 attenuation; /* colour / (x + y * distance + z * distance^2); all 0: none */
+    rsh_float cos_inner;    /* spot: full colour inside this cone, ... */
+    rsh_float cos_outer;    /* ... none outside this one, smoothstep between */
+    rsh_uint kind;          /* RSH_LIGHT_... */
+    rsh_uint casts_shadow;  /* 0 or 1 */
+} rsh_light;
+RSH_ASSERT_SIZE(rsh_light, 80);
+
+#define RSH_TEXEL_SRGB8 0u   /* 4 bytes r g b a, sRGB-encoded */
+#define RSH_TEXEL_FLOAT32 1u /* 4 floats r g b a, linear       */
+
+/* One image in the texel buffer; rows from top to bottom, v = 1 is the top edge. */
+typedef struct rsh_texture {
+    rsh_uint first_word; /* offset in the texel buffer, in units of 4 bytes */
+    rsh_uint width;
+    rsh_uint height;
+    rsh_uint format; /* RSH_TEXEL_... */
+} rsh_texture;
+RSH_ASSERT_SIZE(rsh_texture, 16);
+
+#endif /* RSH_TYPES_H */
