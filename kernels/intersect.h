@@ -1,0 +1,158 @@
+/* intersect.h - the ray-triangle test that defines what a hit is, for every engine.
+ *
+ * Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: move the ray's
+ * origin to 0, shear space so that the ray becomes the axis of its largest direction component,
+ * and look at the triangle in the plane across it. In that plane the ray is the point 0, and the
+ * edge values  U = C x B,  V = A x C,  W = B x A  are twice the areas that 0 makes with the edges:
+ * 0 is inside when none of them differs in sign.
+ *
+ * Two triangles that share an edge compute its value from the same four numbers with the factors
+ * swapped. difference_of_products errs by at most 1.5 ulp, so its sign is exact and it is 0 only
+ * for a true 0: the ray passes on one side for one triangle and on the other for its neighbour,
+ * or on the edge (a hit) for both. No crack, also at vertices; no double-precision fallback.
+ *
+ * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
+ * vertex - origin): subtracting the origin u, slope sx <= 6u (1 when division is exact), product
+ * u, difference 2u: each coordinate is off by at most 11u |.| < 2^-20 |.|. So a reported hit is
+ * an exact hit of a triangle whose corners moved by no more than that, sideways; and since the edge
+ * values weigh the corners' depths with relative errors of a few u and equal signs, t is off by no
+ * more than 2^-20 |.| in depth. traverse_test.cl keeps every pair within that distance.
+ */
+#ifndef RSH_INTERSECT_H
+#define RSH_INTERSECT_H
+
+#include "geometry.h"
+
+/* Rays, sheared. kz: axis of the largest direction component; x, y: the next two, cyclically. */
+typedef struct rsh_sheared {
+    floatv origin_x, origin_y, origin_z; /* world axes */
+    intv kz_is_x, kz_is_y;               /* masks; neither: z */
+    floatv slope_x, slope_y, inverse_z;
+    floatv tmin, tmax;
+} rsh_sheared;
+
+/* Hits of rays with triangles, a lane each. */
+typedef struct rsh_hits {
+    intv is_hit; /* mask */
+    floatv t, u, v;
+} rsh_hits;
+
+static floatv pick_x(rsh_sheared r, floatv x, floatv y, floatv z)
+{
+    return select(select(x, z, r.kz_is_y), y, r.kz_is_x);
+}
+static floatv pick_y(rsh_sheared r, floatv x, floatv y, floatv z)
+{
+    return select(select(y, x, r.kz_is_y), z, r.kz_is_x);
+}
+static floatv pick_z(rsh_sheared r, floatv x, floatv y, floatv z)
+{
+    return select(select(z, y, r.kz_is_y), x, r.kz_is_x);
+}
+
+/* tmin is raised to 0 and tmax lowered to the largest float: nothing behind the origin, no t
+ * that overflowed. */
+static rsh_sheared shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x, floatv y,
+                              floatv z, floatv tmin, floatv tmax)
+{
+    rsh_sheared r;
+    r.origin_x = origin_x;
+    r.origin_y = origin_y;
+    r.origin_z = origin_z;
+    r.kz_is_x = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z));
+    r.kz_is_y = (fabs(y) >= fabs(x)) & (fabs(y) > fabs(z));
+    const floatv kz = pick_z(r, x, y, z);
+    r.slope_x = pick_x(r, x, y, z) / kz;
+    r.slope_y = pick_y(r, x, y, z) / kz;
+    r.inverse_z = (floatv)(1.0f) / kz;
+    r.tmin = fmax(tmin, (floatv)(0.0f));
+    r.tmax = fmin(tmax, (floatv)(FLT_MAX));
+    return r;
+}
+
+/* a*b - c*d within 1.5 ulp (Kahan): `error` is the rounding of c*d, exactly. */
+static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
+{
+    const floatv cd = c * d;
+    const floatv error = fma(-c, d, cd);
+    return fma(a, b, -cd) + error;
+}
+
+/* One corner, seen from the ray: x and y across it, z along it. */
+#define SHEAR_CORNER(r, px, py, pz, ax, ay, az)                   \
+    do {                                                          \
+        const floatv dx = (px) - (r).origin_x;                    \
+        const floatv dy = (py) - (r).origin_y;                    \
+        const floatv dz = (pz) - (r).origin_z;                    \
+        az = pick_z(r, dx, dy, dz);                               \
+        ax = pick_x(r, dx, dy, dz) - (r).slope_x * az;            \
+        ay = pick_y(r, dx, dy, dz) - (r).slope_y * az;            \
+    } while (0)
+
+/* corner[3 * i + axis]: one triangle per lane, or one for all. NaN anywhere ends in a miss. */
+static rsh_hits intersect(rsh_sheared r, const floatv* corner)
+{
+    floatv ax, ay, az, bx, by, bz, cx, cy, cz;
+    SHEAR_CORNER(r, corner[0], corner[1], corner[2], ax, ay, az);
+    SHEAR_CORNER(r, corner[3], corner[4], corner[5], bx, by, bz);
+    SHEAR_CORNER(r, corner[6], corner[7], corner[8], cx, cy, cz);
+
+    const floatv U = difference_of_products(cx, by, cy, bx);
+    const floatv V = difference_of_products(ax, cy, ay, cx);
+    const floatv W = difference_of_products(bx, ay, by, ax);
+    const floatv zero = (floatv)(0.0f);
+    const intv inside = ((U >= zero) & (V >= zero) & (W >= zero)) |
+                        ((U <= zero) & (V <= zero) & (W <= zero));
+
+    const floatv area = U + V + W;
+    const floatv inverse = (floatv)(1.0f) / area;
+    const floatv a = U * inverse; /* weights of the corners; normalising first keeps products */
+    const floatv b = V * inverse; /* of three coordinates out of the arithmetic               */
+    const floatv c = W * inverse;
+
+    rsh_hits hits;
+    hits.t = (a * az + b * bz + c * cz) * r.inverse_z;
+    hits.u = b;
+    hits.v = c;
+    hits.is_hit = inside & (fabs(area) > zero) & (fabs(area) < (floatv)(INFINITY)) &
+                  (hits.t >= r.tmin) & (hits.t <= r.tmax);
+    return hits;
+}
+
+static void spread_triangle(rsh_triangle triangle, floatv* corner)
+{
+    corner[0] = (floatv)(triangle.v0.x);
+    corner[1] = (floatv)(triangle.v0.y);
+    corner[2] = (floatv)(triangle.v0.z);
+    corner[3] = (floatv)(triangle.v1.x);
+    corner[4] = (floatv)(triangle.v1.y);
+    corner[5] = (floatv)(triangle.v1.z);
+    corner[6] = (floatv)(triangle.v2.x);
+    corner[7] = (floatv)(triangle.v2.y);
+    corner[8] = (floatv)(triangle.v2.z);
+}
+
+/* One ray with one triangle, by the same instructions: every lane holds the same. */
+static bool intersect_one(rsh_ray ray, rsh_triangle triangle, rsh_hit* hit)
+{
+    const rsh_sheared r = shear_rays(
+        (floatv)(ray.origin_tmin.x), (floatv)(ray.origin_tmin.y), (floatv)(ray.origin_tmin.z),
+        (floatv)(ray.direction_tmax.x), (floatv)(ray.direction_tmax.y),
+        (floatv)(ray.direction_tmax.z), (floatv)(ray.origin_tmin.w),
+        (floatv)(ray.direction_tmax.w));
+    floatv corner[9];
+    spread_triangle(triangle, corner);
+    const rsh_hits hits = intersect(r, corner);
+    float lanes[3 * RSH_WIDTH];
+    int is_hit[RSH_WIDTH];
+    store_lanes(hits.t, lanes);
+    store_lanes(hits.u, lanes + RSH_WIDTH);
+    store_lanes(hits.v, lanes + 2 * RSH_WIDTH);
+    store_lanes(hits.is_hit, is_hit);
+    hit->t = lanes[0];
+    hit->u = lanes[RSH_WIDTH];
+    hit->v = lanes[2 * RSH_WIDTH];
+    return is_hit[0] != 0;
+}
+
+#endif

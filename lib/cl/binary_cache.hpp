@@ -1,0 +1,35 @@
+// binary_cache.hpp - compiled programs in a folder on disk. Knows bytes and keys, no OpenCL.
+//
+// A file holds a checksum and the binary; it is written under a temporary name and renamed, so a
+// reader sees all of it or nothing. Files used least recently go when the folder grows past its
+// cap. Any failure of the file system only means that a program is compiled again.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rsh {
+
+class BinaryCache {
+public:
+    static constexpr uint64_t kMaxBytes = 64u << 20;
+
+    // `folder` empty: nothing is ever found or stored.
+    explicit BinaryCache(std::string folder) : folder_(std::move(folder)) {}
+
+    // Folder from the descriptor, else RSH_CACHE_DIR, else XDG_CACHE_HOME/rsh, else ~/.cache/rsh.
+    static std::string folder_for(const char* requested);
+
+    std::optional<std::vector<unsigned char>> load(const std::string& key) const;
+    void store(const std::string& key, const std::vector<unsigned char>& binary) const;
+
+private:
+    std::string path_of(const std::string& key) const;
+    void evict() const;
+
+    std::string folder_;
+};
+
+}  // namespace rsh

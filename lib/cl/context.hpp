@@ -1,0 +1,34 @@
+// context.hpp - what rsh_context is: programs, scratch memory and statistics for one device.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include "cl/device_caps.hpp"
+#include "cl/opencl.hpp"
+#include "cl/programs.hpp"
+#include "cl/scratch_pool.hpp"
+#include "cl/statistics_log.hpp"
+
+namespace rsh {
+
+class Context {
+public:
+    explicit Context(const rsh_context_desc& desc);
+
+    cl::Context cl;
+    cl::Device device;
+    DeviceCaps caps;
+    cl_uint vector_width;
+    Programs programs;
+    ScratchPool pool;
+    StatisticsLog statistics;
+};
+
+// RSH_DEVICE or `name` as a substring of platform or device; see rsh_find_device.
+cl::Device find_device(const char* name);
+
+}  // namespace rsh
+
+struct rsh_context_s : rsh::Context {
+    using rsh::Context::Context;
+};

@@ -1,0 +1,106 @@
+#include "cl/programs.hpp"
+
+#include "cl/kernel_source.hpp"
+#include "core/error.hpp"
+
+namespace rsh {
+
+// One built program and its idle kernels. Built under its own mutex: a second thread that needs the
+// same program waits, one that needs another does not.
+struct Programs::Program {
+    std::mutex mutex;
+    cl::Program program;
+    std::map<std::string, std::vector<cl::Kernel>> idle;
+};
+
+Programs::Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
+                   std::string options, std::string cache_folder, std::string kernel_folder)
+    : context_(std::move(context)),
+      device_(std::move(device)),
+      identity_(caps.identity),
+      options_(std::move(options)),
+      kernel_folder_(std::move(kernel_folder)),
+      cache_(std::move(cache_folder)) {}
+
+Programs::~Programs() = default;
+
+Programs::Program& Programs::program(const KernelName& name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_ptr<Program>& found =
+        programs_[std::string(name.program) + ' ' + name.options];
+    if (!found) found = std::make_unique<Program>();
+    return *found;
+}
+
+cl::Kernel Programs::borrow(const KernelName& name) {
+    Program& entry = program(name);
+    const std::lock_guard<std::mutex> lock(entry.mutex);
+    if (!entry.program()) entry.program = make(name);
+    std::vector<cl::Kernel>& idle = entry.idle[name.kernel];
+    if (idle.empty()) return cl::Kernel(entry.program, name.kernel);
+    cl::Kernel kernel = std::move(idle.back());
+    idle.pop_back();
+    return kernel;
+}
+
+void Programs::give_back(const KernelName& name, cl::Kernel kernel) {
+    Program& entry = program(name);
+    const std::lock_guard<std::mutex> lock(entry.mutex);
+    entry.idle[name.kernel].push_back(std::move(kernel));
+}
+
+cl::Program Programs::make(const KernelName& name) {
+    const std::string source = kernel_source(name.program, kernel_folder_);
+    const std::string options = options_ + ' ' + name.options;
+    const std::string key = std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' +
+                            source;
+    cl::Program program = load(key, options);
+    if (program()) return program;
+    program = compile(name, source, options);
+    store(key, program);
+    return program;
+}
+
+// A binary that the driver refuses, or builds into nothing, is as good as none.
+cl::Program Programs::load(const std::string& key, const std::string& options) {
+    const auto binary = cache_.load(key);
+    if (!binary) return {};
+    try {
+        cl::Program program(context_, {device_}, cl::Program::Binaries{*binary});
+        program.build({device_}, options.c_str());
+        ++loaded_;
+        return program;
+    } catch (const cl::Error&) {
+        return {};
+    }
+}
+
+cl::Program Programs::compile(const KernelName& name, const std::string& source,
+                              const std::string& options) {
+    cl::Program program(context_, source);
+    ++built_;
+    cl_int failed = CL_SUCCESS;
+    try {
+        program.build({device_}, options.c_str());
+        return program;
+    } catch (const cl::BuildError& error) {
+        failed = error.err();
+    }
+    throw Error(RSH_BUILD_FAILED, std::string(name.program) + ".cl (" + options + "): " +
+                                      (opencl_error_name(failed) ? opencl_error_name(failed) : "") +
+                                      '\n' + program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
+}
+
+// Failing to store costs the next process a compilation, and this one nothing.
+void Programs::store(const std::string& key, const cl::Program& program) const {
+    try {
+        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+        const auto devices = program.getInfo<CL_PROGRAM_DEVICES>();
+        for (size_t i = 0; i < devices.size(); ++i)
+            if (devices[i]() == device_()) cache_.store(key, binaries[i]);
+    } catch (const cl::Error&) {
+        return;
+    }
+}
+
+}  // namespace rsh

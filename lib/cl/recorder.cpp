@@ -1,0 +1,80 @@
+#include "cl/recorder.hpp"
+
+#include "core/error.hpp"
+
+namespace rsh {
+
+Recorder::Recorder(Context& context, const Submission& submission)
+    : context_(context), queue_(submission.queue, true) {
+    for (cl_uint i = 0; i < submission.wait_count; ++i)
+        waits_.emplace_back(submission.wait_list[i], true);
+}
+
+// Also after a failure in the middle: what was enqueued may still use the blocks.
+Recorder::~Recorder() {
+    for (ScratchBlock& block : blocks_) {
+        if (!waits_.empty()) block.last_use = waits_.back();
+        context_.pool.give_back(std::move(block));
+    }
+}
+
+void Recorder::enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
+                       const Range& range) {
+    const size_t groups = (range.items + range.group_size - 1) / range.group_size;
+    cl::Event event;
+    try {
+        queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * range.group_size),
+                                    cl::NDRange(range.group_size), waits(), &event);
+    } catch (const cl::Error& error) {
+        const char* code = opencl_error_name(error.err());
+        throw Error(error.err(), std::string(error.what()) + " of " + name.kernel + " failed: " +
+                                     (code ? code : std::to_string(error.err())));
+    }
+    record(stage, event);
+}
+
+void Recorder::record(cl_uint stage, const cl::Event& event) {
+    context_.statistics.add_command(stage, event);
+    waits_.assign(1, event);
+}
+
+void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes) {
+    if (bytes == 0) return;
+    cl::Event event;
+    queue_.enqueueFillBuffer(cl::Buffer(buffer, true), word, 0, bytes, waits(), &event);
+    record(stage, event);
+}
+
+void Recorder::read_later(cl_mem buffer, size_t bytes, cl_uint* host) {
+    cl::Event event;
+    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0, bytes, host, waits(), &event);
+    context_.statistics.add_pending(event);
+    waits_.assign(1, event);
+}
+
+cl_uint Recorder::read_now(cl_mem buffer) {
+    cl_uint word = 0;
+    cl::Event event;
+    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_TRUE, 0, sizeof word, &word, waits(),
+                             &event);
+    record(RSH_STAGE_OTHER, event);
+    context_.statistics.add([](rsh_statistics& sums) { ++sums.host_waits; });
+    return word;
+}
+
+ScratchBlock& Recorder::keep(ScratchBlock block) {
+    if (block.last_use()) waits_.push_back(block.last_use);
+    blocks_.push_back(std::move(block));
+    return blocks_.back();
+}
+
+void Recorder::finish(cl_event* done) {
+    if (!done) return;
+    cl::Event event;
+    queue_.enqueueMarkerWithWaitList(waits(), &event);
+    waits_.assign(1, event);
+    *done = event();
+    clRetainEvent(*done);
+}
+
+}  // namespace rsh

@@ -1,0 +1,87 @@
+// recorder.hpp - enqueues one call's work: borrows kernels, sets their arguments, launches them in
+// order, keeps their events. The only code that enqueues anything.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include <vector>
+
+#include "cl/context.hpp"
+#include "cl/opencl.hpp"
+#include "core/layout.hpp"
+
+namespace rsh {
+
+// The caller's queue and the events to start after; see "Async" in rsh.h.
+struct Submission {
+    cl_command_queue queue;
+    cl_uint wait_count;
+    const cl_event* wait_list;
+};
+
+struct Range {
+    size_t items;       // rounded up to whole groups
+    size_t group_size;
+};
+
+class Recorder {
+public:
+    Recorder(Context& context, const Submission& submission);
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    Context& context() { return context_; }
+
+    // Enqueues a kernel after everything recorded before. Arguments in the kernel's order: cl_mem,
+    // cl::LocalSpaceArg, scalars and structs. An empty range enqueues nothing.
+    template <class... Arguments>
+    void launch(cl_uint stage, const KernelName& name, const Range& range,
+                const Arguments&... arguments) {
+        if (range.items == 0) return;
+        Borrowed kernel(context_.programs, name);
+        cl_uint index = 0;
+        (kernel.object.setArg(index++, arguments), ...);
+        enqueue(stage, name, kernel.object, range);
+    }
+
+    // One work-item per element, in groups of the device's usual size.
+    Range range(size_t items) const { return {items, context_.caps.group_size}; }
+
+    // Sets `bytes` (a multiple of 4) at the front of `buffer` to a repeated word.
+    void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes);
+    // Copies words to host memory that outlives the command (see StatisticsLog).
+    void read_later(cl_mem buffer, size_t bytes, cl_uint* host);
+    // BLOCKS for the word; rsh_frame only.
+    cl_uint read_now(cl_mem buffer);
+
+    // Memory that must stay untouched by others until this call's commands ended.
+    ScratchBlock& keep(ScratchBlock block);
+
+    // Hands the caller an event that ends after everything recorded.
+    void finish(cl_event* done);
+
+private:
+    struct Borrowed {
+        Borrowed(Programs& owner, const KernelName& kernel_name)
+            : programs(owner), name(kernel_name), object(owner.borrow(kernel_name)) {}
+        ~Borrowed() { programs.give_back(name, object); }
+        Borrowed(const Borrowed&) = delete;
+        Borrowed& operator=(const Borrowed&) = delete;
+        Programs& programs;
+        const KernelName& name;
+        cl::Kernel object;
+    };
+
+    void enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
+                 const Range& range);
+    void record(cl_uint stage, const cl::Event& event);
+    const std::vector<cl::Event>* waits() const { return waits_.empty() ? nullptr : &waits_; }
+
+    Context& context_;
+    cl::CommandQueue queue_;
+    std::vector<cl::Event> waits_;  // of the next command: the caller's, then the last command
+    std::vector<ScratchBlock> blocks_;
+};
+
+}  // namespace rsh
