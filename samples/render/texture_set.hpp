@@ -1,0 +1,26 @@
+// texture_set.hpp - all images of a scene in one array of texels, each file once.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <rsh/rsh_types.h>
+
+namespace render {
+
+class TextureSet {
+public:
+    // Index of the image in the file; throws when it cannot be read.
+    uint32_t add(const std::string& path);
+
+    const std::vector<rsh_texture>& textures() const { return textures_; }
+    const std::vector<uint32_t>& texels() const { return texels_; }
+
+private:
+    std::map<std::string, uint32_t> index_of_;
+    std::vector<rsh_texture> textures_;
+    std::vector<uint32_t> texels_;  // words of 4 bytes, whatever the format
+};
+
+}  // namespace render
