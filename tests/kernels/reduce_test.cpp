@@ -1,0 +1,195 @@
+// reduce_test.cpp - rsh_reduce against std::copy_if: every strategy, element size and kind of
+// flag, awkward counts and patterns, counts that only the device knows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <tuple>
+
+#include "../support/buffer.hpp"
+#include "../support/compare.hpp"
+
+namespace {
+
+using test::Buffer;
+using test::Random;
+
+enum class Pattern { none, all, alternate, runs, sparse, half, last };
+
+bool kept(Pattern pattern, uint32_t i, uint32_t count, Random& random) {
+    switch (pattern) {
+        case Pattern::none:
+            return false;
+        case Pattern::all:
+            return true;
+        case Pattern::alternate:
+            return i % 2 == 1;
+        case Pattern::runs:
+            return i / 100 % 2 == 0;
+        case Pattern::sparse:
+            return random.chance(0.01f);
+        case Pattern::half:
+            return random.chance(0.5f);
+        case Pattern::last:
+            return i + 1 == count;
+    }
+    return false;
+}
+
+struct Stream {
+    cl_uint element_bytes;
+    std::vector<uint32_t> words;  // element_bytes / 4 per element
+    std::vector<uint8_t> flags;
+
+    uint32_t count() const { return uint32_t(flags.size()); }
+};
+
+// Any byte but 0 keeps. Elements that are dropped by value begin with RSH_NO_HIT; with flags,
+// some elements look like that and must be kept all the same.
+Stream make_stream(cl_uint keep, cl_uint element_bytes, uint32_t count, Pattern pattern) {
+    Random random(count * 31 + element_bytes);
+    Stream stream = {element_bytes, {}, {}};
+    for (uint32_t i = 0; i < count; ++i) {
+        const bool keeps = kept(pattern, i, count, random);
+        stream.flags.push_back(keeps ? uint8_t(1 + random.below(255)) : uint8_t(0));
+        for (uint32_t w = 0; w < element_bytes / 4; ++w)
+            stream.words.push_back(random.chance(0.1f) && w > 0 ? RSH_NO_HIT : i * 4 + w);
+        uint32_t& first = stream.words[size_t(i) * element_bytes / 4];
+        if (keep == RSH_KEEP_NOT_NULL) first = keeps ? first : RSH_NO_HIT;
+        if (keep == RSH_KEEP_FLAGS && random.chance(0.1f)) first = RSH_NO_HIT;
+    }
+    return stream;
+}
+
+// The definition, element by element.
+std::vector<uint32_t> reference(const Stream& stream, uint32_t count) {
+    const size_t words = stream.element_bytes / 4;
+    std::vector<uint32_t> order(count), packed;
+    std::iota(order.begin(), order.end(), 0u);
+    std::vector<uint32_t> survivors;
+    std::copy_if(order.begin(), order.end(), std::back_inserter(survivors),
+                 [&](uint32_t i) { return stream.flags[i] != 0; });
+    for (const uint32_t i : survivors)
+        packed.insert(packed.end(), stream.words.begin() + long(i * words),
+                      stream.words.begin() + long((i + 1) * words));
+    return packed;
+}
+
+struct Options {
+    cl_uint strategy = RSH_STRATEGY_DEFAULT;
+    cl_uint keep = RSH_KEEP_FLAGS;
+    uint32_t on_device = 0xffffffffu;  // the count on the device; all ones: none
+    bool own_scratch = false;
+};
+
+void expect_reduced(const Stream& stream, const Options& options) {
+    const uint32_t count = std::min(stream.count(), options.on_device);
+    const std::vector<uint32_t> expected = reference(stream, count);
+    const Buffer<uint32_t> input(stream.words);
+    const Buffer<uint8_t> flags(stream.flags);
+    // Exactly the room that the survivors need: anything behind them lands in the guard.
+    const Buffer<uint32_t> output(expected.size()), output_count(1);
+    const Buffer<uint32_t> input_count(std::vector<uint32_t>{options.on_device});
+
+    rsh_reduce_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.strategy = options.strategy;
+    desc.keep = options.keep;
+    desc.element_bytes = stream.element_bytes;
+    desc.count = stream.count();
+    desc.input_count = options.on_device == 0xffffffffu ? nullptr : input_count.get();
+    desc.input = input.get();
+    desc.flags = options.keep == RSH_KEEP_FLAGS ? flags.get() : nullptr;
+    desc.output = output.get();
+    desc.output_count = output_count.get();
+    std::unique_ptr<test::Bytes> scratch;
+    if (options.own_scratch) {
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        RSH_CHECK(rsh_reduce_query(test::device().rsh, &desc, &sizes));
+        scratch = std::make_unique<test::Bytes>(sizes.scratch_bytes);
+        desc.scratch = scratch->get();
+    }
+    RSH_CHECK(
+        rsh_reduce(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
+
+    EXPECT_EQ(output_count.read()[0], expected.size() * 4 / stream.element_bytes);
+    EXPECT_TRUE(test::same_bits(output.read(), expected, "words"));
+    EXPECT_TRUE(output.guards_intact());
+    EXPECT_TRUE(output_count.guards_intact());
+    EXPECT_TRUE(test::same_bits(input.read(), stream.words, "input words"));
+    if (scratch) {
+        EXPECT_TRUE(scratch->guards_intact());
+    }
+}
+
+using Param = std::tuple<cl_uint, cl_uint, cl_uint>;  // strategy, keep, element bytes
+
+class Reduce : public ::testing::TestWithParam<Param> {
+protected:
+    Options options() const { return {std::get<0>(GetParam()), std::get<1>(GetParam())}; }
+    Stream stream(uint32_t count, Pattern pattern) const {
+        return make_stream(std::get<1>(GetParam()), std::get<2>(GetParam()), count, pattern);
+    }
+};
+
+std::vector<uint32_t> counts() {
+    if (test::small()) return {0, 1, 63, 64, 65, 257};
+    return {0, 1, 2, 63, 64, 65, 255, 256, 257, 1023, 1024, 1025, 4099, 65537};
+}
+
+constexpr Pattern kPatterns[] = {Pattern::none, Pattern::all,    Pattern::alternate,
+                                 Pattern::runs, Pattern::sparse, Pattern::half,
+                                 Pattern::last};
+
+TEST_P(Reduce, EqualsCopyIfForEveryCountAndPattern) {
+    for (const uint32_t count : counts())
+        for (const Pattern pattern : kPatterns) {
+            SCOPED_TRACE("count " + std::to_string(count) + ", pattern " +
+                         std::to_string(int(pattern)));
+            expect_reduced(stream(count, pattern), options());
+            if (HasFailure()) return;
+        }
+}
+
+TEST_P(Reduce, EqualsCopyIfForAMillionElements) {
+    if (test::small()) GTEST_SKIP() << "RSH_TEST_SMALL is set: too many for an emulator";
+    for (const Pattern pattern : {Pattern::half, Pattern::all, Pattern::sparse})
+        expect_reduced(stream(1u << 20, pattern), options());
+}
+
+TEST_P(Reduce, TakesItsCountFromTheDevice) {
+    for (const uint32_t on_device : {0u, 1u, 63u, 64u, 65u, 500u, 999u, 1000u}) {
+        SCOPED_TRACE("count on the device " + std::to_string(on_device));
+        Options with_count = options();
+        with_count.on_device = on_device;
+        expect_reduced(stream(1000, Pattern::half), with_count);
+    }
+}
+
+TEST_P(Reduce, StaysInsideTheScratchThatTheQueryAsksFor) {
+    for (const uint32_t count : counts()) {
+        SCOPED_TRACE("count " + std::to_string(count));
+        Options own = options();
+        own.own_scratch = true;
+        expect_reduced(stream(count, Pattern::half), own);
+    }
+}
+
+std::string name_of(const ::testing::TestParamInfo<Param>& info) {
+    static const char* const strategy[] = {"Default", "Chunk", "ScanScatter"};
+    return std::string(strategy[std::get<0>(info.param)]) +
+           (std::get<1>(info.param) == RSH_KEEP_FLAGS ? "Flags" : "NotNull") +
+           std::to_string(std::get<2>(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Reduce,
+    ::testing::Combine(::testing::Values(RSH_STRATEGY_DEFAULT, RSH_STRATEGY_CHUNK,
+                                         RSH_STRATEGY_SCAN_SCATTER),
+                       ::testing::Values(RSH_KEEP_FLAGS, RSH_KEEP_NOT_NULL),
+                       ::testing::Values(4u, 8u, 12u, 16u)),
+    name_of);
+
+}  // namespace

@@ -1,0 +1,26 @@
+// containment.hpp - does a node, as it is stored, contain a ray; does a sphere contain a
+// triangle. In long double and without any tolerance: rounding outwards is the library's job.
+#pragma once
+
+#include <rsh/rsh_types.h>
+
+#include "../support/mesh.hpp"
+
+namespace oracle {
+
+struct Node {
+    test::Float3 apex;
+    float radius;
+    test::Float3 axis;
+    float sine;
+};
+
+// Child `k` (0 .. 3) of a quad.
+Node child_of(const rsh_node_quad& quad, uint32_t k);
+
+bool starts_inside(const Node& node, const rsh_ray& ray);
+bool points_inside(const Node& node, const rsh_ray& ray);
+
+bool sphere_contains(const cl_float4& sphere, const test::Corners& corners);
+
+}  // namespace oracle

@@ -1,0 +1,37 @@
+// hit.hpp - what one ray may and must find at one triangle, from the definition: the three
+// signed volumes of the ray with the triangle's edges have one sign. Shares no code with the
+// kernels.
+//
+// Error budget, with u = 2^-24, S the largest component of the direction, |p| that of a corner
+// translated to the ray's origin and l(p) that of the same corner sheared across the ray, which
+// is |d x p| / S. A float routine that shears knows a lateral coordinate up to
+//     e(p) = 16 u |p|:  translation 1, slope 6, product 2, difference 2, and some to spare;
+// an edge's volume is S times the determinant of two lateral coordinates, hence off by at most
+//     S (2 (e(p) l(q) + e(q) l(p) + e(p) e(q)) + 8 u l(p) l(q))
+// with any way to round two products and a difference. Inside those bounds a hit is neither
+// certain nor excluded. With weights w_i of one sign, t is a mean of the corners' depths z_i
+// weighted by w_i, hence
+//     |t - exact| <= 2 sum(bound_i |z_i - t|) / |sum w| + 32 u max |z_i|,
+// and in any case between the least and the greatest depth.
+#pragma once
+
+#include <rsh/rsh_types.h>
+
+#include "../support/mesh.hpp"
+
+namespace oracle {
+
+struct Candidate {
+    bool possible = false;  // no correct routine may report it when this is false
+    bool certain = false;   // every correct routine must see it
+    bool exact =
+        false;  // hit when nothing is rounded; edges and vertices belong to the triangle
+    double t = 0, u = 0, v = 0;
+    double t_low = 0, t_high = 0;  // where a float routine's t may lie
+    double uv_error = 0;
+};
+
+// A degenerate or invalid triangle, or an inactive ray, is never possible.
+Candidate intersect(const rsh_ray& ray, const test::Corners& corners);
+
+}  // namespace oracle

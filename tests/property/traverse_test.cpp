@@ -1,0 +1,176 @@
+// traverse_test.cpp - the hierarchy only leaves out work, never an answer: the paper engine
+// equals brute force bit for bit, for every case, strategy and budget, every time.
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "../support/cases.hpp"
+#include "../support/compare.hpp"
+#include "../support/trace.hpp"
+
+namespace {
+
+using test::Case;
+using test::DeviceMesh;
+using test::TraceOptions;
+
+TraceOptions brute_force() {
+    TraceOptions options;
+    options.engine = RSH_ENGINE_BRUTE_FORCE;
+    return options;
+}
+
+TraceOptions paper(cl_uint strategy, size_t budget = 0) {
+    TraceOptions options;
+    options.engine = RSH_ENGINE_PAPER;
+    options.strategy = strategy;
+    options.budget = budget;
+    return options;
+}
+
+// Other bits must survive, so they start as noise.
+std::vector<uint32_t> noise(size_t count, uint32_t bit) {
+    test::Random random(7);
+    std::vector<uint32_t> masks(count);
+    for (uint32_t& mask : masks) mask = uint32_t(random.bits()) & ~(1u << bit);
+    return masks;
+}
+
+using Param = std::tuple<test::NamedCase, cl_uint>;
+
+class Traverse : public ::testing::TestWithParam<Param> {
+protected:
+    Case make_case() const {
+        test::Random random(8);
+        return std::get<0>(GetParam()).make(random);
+    }
+    cl_uint strategy() const { return std::get<1>(GetParam()); }
+};
+
+TEST_P(Traverse, FindsTheHitsOfBruteForce) {
+    const Case c = make_case();
+    const DeviceMesh mesh(c.mesh);
+    const auto expected = closest_hits(mesh, c.rays, brute_force());
+    const auto actual = closest_hits(mesh, c.rays, paper(strategy()));
+    EXPECT_TRUE(test::same_bits(actual, expected, "hits"));
+    EXPECT_TRUE(
+        test::same_bits(closest_hits(mesh, c.rays, paper(strategy())), actual, "hits, again"));
+}
+
+TEST_P(Traverse, FindsTheOcclusionOfBruteForce) {
+    const Case c = make_case();
+    const DeviceMesh mesh(c.mesh);
+    const auto masks = noise(c.rays.rays.size(), 13);
+    const auto hits = closest_hits(mesh, c.rays, brute_force());
+    auto expected = masks;
+    for (size_t i = 0; i < hits.size(); ++i)
+        if (hits[i].primitive != RSH_NO_HIT) expected[i] |= 1u << 13;
+    EXPECT_TRUE(test::same_bits(occlusion(mesh, c.rays, masks, 13, brute_force()), expected,
+                                "masks of brute force"));
+    EXPECT_TRUE(test::same_bits(occlusion(mesh, c.rays, masks, 13, paper(strategy())), expected,
+                                "masks"));
+}
+
+TEST_P(Traverse, FindsTheSameHitsWithEveryBudget) {
+    const Case c = make_case();
+    const DeviceMesh mesh(c.mesh);
+    const auto expected = closest_hits(mesh, c.rays, brute_force());
+    for (const size_t budget : {size_t(RSH_MIN_BUDGET), size_t(RSH_MIN_BUDGET) + 4,
+                                size_t(200001), size_t(1) << 22}) {
+        TraceOptions options = paper(strategy(), budget);
+        options.own_scratch = true;
+        options.own_spheres = true;
+        EXPECT_TRUE(test::same_bits(closest_hits(mesh, c.rays, options), expected, "hits"))
+            << "budget " << budget;
+    }
+}
+
+std::string name_of(const ::testing::TestParamInfo<Param>& info) {
+    return std::get<0>(info.param).name +
+           (std::get<1>(info.param) == RSH_STRATEGY_CHUNK ? "Chunk" : "ScanScatter");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Traverse,
+                         ::testing::Combine(::testing::ValuesIn(test::all_cases()),
+                                            ::testing::Values(RSH_STRATEGY_CHUNK,
+                                                              RSH_STRATEGY_SCAN_SCATTER)),
+                         name_of);
+
+class Overflow : public ::testing::TestWithParam<cl_uint> {};
+
+// Many triangles that nearly all rays' nodes see, and the least budget: several batches,
+// streams that overflow, and still every hit.
+TEST_P(Overflow, LosesNoPairWhenStreamsAreFull) {
+    test::Random random(9);
+    const uint32_t triangles = test::small() ? 3000 : 30000;
+    const DeviceMesh mesh(test::random_soup(random, triangles, 0.6f));
+    const test::Rays rays = test::random_rays(random, 32, 32);
+    const test::OwnContext context;
+    RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
+    TraceOptions options = paper(GetParam(), RSH_MIN_BUDGET);
+    options.context = context.get();
+    const auto hits = closest_hits(mesh, rays, options);
+    EXPECT_TRUE(test::same_bits(hits, closest_hits(mesh, rays, brute_force()), "hits"));
+
+    rsh_statistics s = {};
+    s.struct_size = sizeof s;
+    RSH_CHECK(rsh_get_statistics(context.get(), &s));
+    cl_ulong walked = 0;
+    for (const cl_ulong pairs : s.pairs_walked) walked += pairs;
+    EXPECT_GT(walked, 0u) << "the case is too easy: no stream overflowed";
+    if (!test::small()) {
+        EXPECT_GT(s.batches, 1u);
+    }
+    EXPECT_EQ(s.traversals, 1u);
+    EXPECT_LE(s.peak_pairs * sizeof(rsh_pair), size_t(RSH_MIN_BUDGET));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Overflow,
+                         ::testing::Values(RSH_STRATEGY_CHUNK, RSH_STRATEGY_SCAN_SCATTER),
+                         [](const auto& strategy) {
+                             return strategy.param == RSH_STRATEGY_CHUNK ? "Chunk"
+                                                                         : "ScanScatter";
+                         });
+
+TEST(TraverseHits, OfRaysThatHitNothingHoldTmaxAndZeros) {
+    const Case c = {test::sphere(8, 5), [] {
+                        test::Rays rays = test::pinhole_rays(9, 9, {0, 0, 5}, {0, 0, 9});
+                        for (rsh_ray& ray : rays.rays) ray.direction_tmax.s[3] = 7.25f;
+                        return rays;
+                    }()};
+    for (const TraceOptions& options : {brute_force(), paper(0)})
+        for (const rsh_hit& hit : closest_hits(DeviceMesh(c.mesh), c.rays, options)) {
+            ASSERT_EQ(hit.primitive, RSH_NO_HIT);
+            ASSERT_EQ(hit.t, 7.25f);
+            ASSERT_EQ(hit.u, 0);
+            ASSERT_EQ(hit.v, 0);
+        }
+}
+
+TEST(TraverseHits, OfEqualTNameTheLowerTriangle) {
+    test::Random random(10);
+    const test::Mesh once = test::random_soup(random, 100, 0.8f);
+    test::Mesh thrice;
+    for (int copy = 0; copy < 3; ++copy)
+        thrice.vertices.insert(thrice.vertices.end(), once.vertices.begin(),
+                               once.vertices.end());
+    const test::Rays rays = test::random_rays(random, 64, 32);
+    for (const TraceOptions& options : {brute_force(), paper(0)})
+        EXPECT_TRUE(test::same_bits(closest_hits(DeviceMesh(thrice), rays, options),
+                                    closest_hits(DeviceMesh(once), rays, brute_force()),
+                                    "hits"));
+}
+
+TEST(TraverseHits, NeverNameATriangleWithTwoEqualCorners) {
+    test::Random random(11);
+    test::Mesh mesh;
+    for (int i = 0; i < 200; ++i) {
+        const test::Float3 a = random.in_cube(), b = random.in_cube();
+        mesh.add(a, i % 2 ? a : b, i % 3 ? b : a);
+    }
+    const test::Rays rays = test::rays_at_edges(random, mesh, 40, 40);
+    for (const rsh_hit& hit : closest_hits(DeviceMesh(mesh), rays, paper(0)))
+        ASSERT_EQ(hit.primitive, RSH_NO_HIT);
+}
+
+}  // namespace

@@ -1,0 +1,70 @@
+// device.cpp - finds the device, makes context and queue. Made once per process: programs that
+// a test has built serve the next.
+#include "device.hpp"
+
+#include <stdexcept>
+
+namespace test {
+namespace {
+
+Device make_device() {
+    cl_platform_id platform = nullptr;
+    cl_device_id id = nullptr;
+    RSH_CHECK(rsh_find_device(nullptr, &platform, &id));
+
+    Device made;
+    made.platform = cl::Platform(platform, true);
+    made.device = cl::Device(id, true);
+    made.context = cl::Context(made.device);
+    made.queue = cl::CommandQueue(made.context, made.device, CL_QUEUE_PROFILING_ENABLE);
+    made.name = made.device.getInfo<CL_DEVICE_NAME>() + " (" +
+                made.device.getInfo<CL_DRIVER_VERSION>() + ")";
+
+    rsh_context_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.context = made.context();
+    desc.device = made.device();
+    RSH_CHECK(rsh_create_context(&desc, &made.rsh));
+    return made;
+}
+
+}  // namespace
+
+Device& device() {
+    static Device* const made = new Device(make_device());
+    return *made;
+}
+
+std::string device_name() {
+    try {
+        return device().name;
+    } catch (const std::exception& error) {
+        return std::string("none: ") + error.what();
+    }
+}
+
+cl::CommandQueue Device::out_of_order_queue() const {
+    const auto supported = device.getInfo<CL_DEVICE_QUEUE_PROPERTIES>();
+    const cl_command_queue_properties wanted = CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE;
+    return {context, device, supported & wanted};
+}
+
+OwnContext::OwnContext() {
+    rsh_context_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.context = device().context();
+    desc.device = device().device();
+    RSH_CHECK(rsh_create_context(&desc, &context_));
+}
+
+OwnContext::~OwnContext() {
+    rsh_release_context(context_);
+}
+
+void check(rsh_status status, const char* call) {
+    if (status == RSH_SUCCESS) return;
+    throw std::runtime_error(std::string(call) + ": " + rsh_status_string(status) + ": " +
+                             rsh_last_error());
+}
+
+}  // namespace test

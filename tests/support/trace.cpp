@@ -1,0 +1,140 @@
+// trace.cpp - descriptors, buffers and waiting, once for all tests.
+#include "trace.hpp"
+
+#include <memory>
+
+namespace test {
+namespace {
+
+void expect_guards(const ::testing::AssertionResult& result, const char* buffer) {
+    EXPECT_TRUE(result) << "of the buffer " << buffer;
+}
+
+// Everything that one traversal reads, besides its output.
+class Traversal {
+public:
+    Traversal(const DeviceMesh& mesh, const Rays& rays, const TraceOptions& options)
+        : rays_(rays.rays), context_(options.context ? options.context : device().rsh) {
+        desc.struct_size = sizeof desc;
+        desc.geometry = mesh.geometry();
+        desc.rays = rays_.get();
+        desc.width = rays.width;
+        desc.height = rays.height;
+        desc.engine = options.engine;
+        desc.strategy = options.strategy;
+        desc.budget = options.budget;
+        if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes();
+        if (options.own_spheres) add_spheres(mesh);
+        own_scratch_ = options.own_scratch;
+    }
+
+    void run() {
+        if (own_scratch_) {
+            rsh_sizes sizes = {};
+            sizes.struct_size = sizeof sizes;
+            RSH_CHECK(rsh_traverse_query(context_, &desc, &sizes));
+            scratch_ = std::make_unique<Bytes>(sizes.scratch_bytes);
+            desc.scratch = scratch_->get();
+        }
+        RSH_CHECK(rsh_traverse(context_, device().queue(), &desc, 0, nullptr, nullptr));
+        device().queue.finish();
+        if (scratch_) expect_guards(scratch_->guards_intact(), "scratch");
+        if (nodes_) expect_guards(nodes_->guards_intact(), "nodes");
+    }
+
+    rsh_traverse_desc desc = {};
+
+private:
+    void add_nodes() {
+        rsh_build_desc build = {};
+        build.struct_size = sizeof build;
+        build.rays = desc.rays;
+        build.width = desc.width;
+        build.height = desc.height;
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        RSH_CHECK(rsh_build_query(context_, &build, &sizes, nullptr));
+        nodes_ = std::make_unique<Bytes>(sizes.output_bytes);
+        build.nodes = desc.nodes = nodes_->get();
+        RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
+    }
+
+    void add_spheres(const DeviceMesh& mesh) {
+        spheres_ = std::make_unique<Buffer<cl_float4>>(bound(mesh));
+        desc.spheres = spheres_->get();
+    }
+
+    Buffer<rsh_ray> rays_;
+    rsh_context context_;
+    bool own_scratch_ = false;
+    std::unique_ptr<Bytes> nodes_, scratch_;
+    std::unique_ptr<Buffer<cl_float4>> spheres_;
+};
+
+}  // namespace
+
+DeviceMesh::DeviceMesh(const Mesh& mesh) : vertices_(mesh.vertices) {
+    geometry_.vertices = vertices_.get();
+    geometry_.vertex_count = cl_uint(mesh.vertices.size());
+    geometry_.triangle_count = mesh.triangle_count();
+    if (mesh.indices.empty()) return;
+    indices_.emplace(mesh.indices);
+    geometry_.indices = indices_->get();
+}
+
+Hierarchy build(const Rays& rays) {
+    const Buffer<rsh_ray> input(rays.rays);
+    rsh_build_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.rays = input.get();
+    desc.width = rays.width;
+    desc.height = rays.height;
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    Hierarchy made;
+    RSH_CHECK(rsh_build_query(device().rsh, &desc, &sizes, &made.levels));
+    const Buffer<rsh_node_quad> nodes(sizes.output_bytes / sizeof(rsh_node_quad));
+    desc.nodes = nodes.get();
+    RSH_CHECK(rsh_build(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
+    made.quads = nodes.read();
+    expect_guards(nodes.guards_intact(), "nodes");
+    return made;
+}
+
+std::vector<cl_float4> bound(const DeviceMesh& mesh) {
+    const Buffer<cl_float4> spheres(mesh.geometry().triangle_count);
+    rsh_bound_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.geometry = mesh.geometry();
+    desc.spheres = spheres.get();
+    RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
+    std::vector<cl_float4> made = spheres.read();
+    expect_guards(spheres.guards_intact(), "spheres");
+    return made;
+}
+
+std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,
+                                  const TraceOptions& options) {
+    Traversal traversal(mesh, rays, options);
+    const Buffer<rsh_hit> hits(rays.rays.size());
+    traversal.desc.query = RSH_QUERY_CLOSEST;
+    traversal.desc.hits = hits.get();
+    traversal.run();
+    expect_guards(hits.guards_intact(), "hits");
+    return hits.read();
+}
+
+std::vector<uint32_t> occlusion(const DeviceMesh& mesh, const Rays& rays,
+                                std::vector<uint32_t> masks, uint32_t bit,
+                                const TraceOptions& options) {
+    Traversal traversal(mesh, rays, options);
+    const Buffer<uint32_t> buffer(masks);
+    traversal.desc.query = RSH_QUERY_ANY;
+    traversal.desc.occlusion = buffer.get();
+    traversal.desc.occlusion_bit = bit;
+    traversal.run();
+    expect_guards(buffer.guards_intact(), "occlusion");
+    return buffer.read();
+}
+
+}  // namespace test

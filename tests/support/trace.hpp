@@ -1,0 +1,54 @@
+// trace.hpp - the ray calls of rsh over host data: upload, call, wait, check the guards, read
+// back.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "buffer.hpp"
+#include "cases.hpp"
+#include "mesh.hpp"
+#include "rays.hpp"
+
+namespace test {
+
+// A mesh on the device, in an ordinary layout: packed vertices, offset 0.
+class DeviceMesh {
+public:
+    explicit DeviceMesh(const Mesh& mesh);
+    const rsh_geometry& geometry() const { return geometry_; }
+
+private:
+    Buffer<Float3> vertices_;
+    std::optional<Buffer<uint32_t>> indices_;
+    rsh_geometry geometry_ = {};
+};
+
+struct Hierarchy {
+    rsh_levels levels;
+    std::vector<rsh_node_quad> quads;
+};
+
+// rsh_build over the rays, read back.
+Hierarchy build(const Rays& rays);
+
+std::vector<cl_float4> bound(const DeviceMesh& mesh);
+
+struct TraceOptions {
+    cl_uint engine = RSH_ENGINE_DEFAULT;
+    cl_uint strategy = RSH_STRATEGY_DEFAULT;
+    size_t budget = 0;
+    bool own_scratch = false;       // the caller's scratch instead of the context's pool
+    bool own_spheres = false;       // from rsh_bound instead of made in scratch
+    rsh_context context = nullptr;  // null: the device's
+};
+
+std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,
+                                  const TraceOptions& options = {});
+
+// Masks with bit `bit` set where something is hit; all other bits start as in `masks`.
+std::vector<uint32_t> occlusion(const DeviceMesh& mesh, const Rays& rays,
+                                std::vector<uint32_t> masks, uint32_t bit,
+                                const TraceOptions& options = {});
+
+}  // namespace test
