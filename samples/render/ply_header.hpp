@@ -1,0 +1,50 @@
+// ply_header.hpp - the header of a PLY file, and the values behind it one at a time.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace render {
+
+struct PlyProperty {
+    std::string name;
+    char type = 'f';         // b B h H i I f d as in Python's struct
+    char count_type = '\0';  // of a list; 0: a scalar
+};
+
+struct PlyElement {
+    std::string name;
+    size_t count = 0;
+    std::vector<PlyProperty> properties;
+    const PlyProperty* find(std::string_view property) const;
+};
+
+struct PlyHeader {
+    enum class Format { ascii, little_endian, big_endian } format = Format::ascii;
+    std::vector<PlyElement> elements;
+    std::string texture;  // from "comment TextureFile", a widespread convention
+    size_t bytes = 0;     // up to and with the line end behind end_header
+    const PlyElement* find(std::string_view element) const;
+};
+
+// Throws LoadError for what is no PLY header, and for one that promises more than `file` holds.
+PlyHeader read_ply_header(std::string_view file, const std::string& name);
+
+// The values behind the header, in order; every call throws LoadError at the end of the file.
+class PlyValues {
+public:
+    PlyValues(std::string_view file, const PlyHeader& header, std::string name);
+    double next(char type);
+    size_t next_count(char type);
+    void skip(const PlyProperty& property);
+
+private:
+    std::string_view rest_;
+    PlyHeader::Format format_;
+    std::string name_;
+};
+
+size_t ply_type_bytes(char type);
+
+}  // namespace render
