@@ -38,6 +38,14 @@ void Recorder::record(cl_uint stage, const cl::Event& event) {
     waits_.assign(1, event);
 }
 
+// On CPUs a group is a task: single items, a few per core to balance uneven runs.
+Range Recorder::stream_range() const {
+    const DeviceCaps& caps = context_.caps;
+    const size_t tasks = size_t{caps.compute_units} * 16;
+    if (context_.vector_width > 1) return {tasks, 1};
+    return {tasks * caps.group_size, caps.group_size};
+}
+
 void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes) {
     if (bytes == 0) return;
     cl::Event event;

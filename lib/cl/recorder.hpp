@@ -41,12 +41,16 @@ public:
         if (range.items == 0) return;
         Borrowed kernel(context_.programs, name);
         cl_uint index = 0;
-        (kernel.object.setArg(index++, arguments), ...);
+        (set_argument(kernel.object, index++, arguments), ...);
         enqueue(stage, name, kernel.object, range);
     }
 
     // One work-item per element, in groups of the device's usual size.
     Range range(size_t items) const { return {items, context_.caps.group_size}; }
+
+    // Enough work-items to fill the device, for a stream whose length only the device knows; see
+    // kernels/stride.h.
+    Range stream_range() const;
 
     // Sets `bytes` (a multiple of 4) at the front of `buffer` to a repeated word.
     void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes);
@@ -73,6 +77,13 @@ private:
         cl::Kernel object;
     };
 
+    static void set_argument(cl::Kernel& kernel, cl_uint index, cl_mem buffer) {
+        kernel.setArg(index, sizeof buffer, &buffer);
+    }
+    template <class Value>
+    static void set_argument(cl::Kernel& kernel, cl_uint index, const Value& value) {
+        kernel.setArg(index, value);
+    }
     void enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
                  const Range& range);
     void record(cl_uint stage, const cl::Event& event);

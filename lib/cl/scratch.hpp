@@ -2,6 +2,7 @@
 // buffer, or a block of the context's pool, cut up by a Layout.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +20,7 @@ public:
 
 private:
     struct Part {
-        std::string_view name;
+        std::string name;
         cl::Buffer buffer;
     };
     std::vector<Part> parts_;

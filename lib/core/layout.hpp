@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace rsh {
@@ -12,17 +13,17 @@ class Layout {
 public:
     explicit Layout(size_t alignment) : alignment_(alignment) {}
 
-    void add(std::string_view name, size_t bytes) {
-        parts_.push_back({name, bytes_, bytes});
+    void add(std::string name, size_t bytes) {
+        parts_.push_back({std::move(name), bytes_, bytes});
         bytes_ += (bytes + alignment_ - 1) / alignment_ * alignment_;
     }
     template <class T>
-    void add(std::string_view name, size_t count) {
-        add(name, count * sizeof(T));
+    void add_array(std::string name, size_t count) {
+        add(std::move(name), count * sizeof(T));
     }
 
     struct Part {
-        std::string_view name;  // a literal: layouts do not own their names
+        std::string name;
         size_t offset;
         size_t bytes;
     };

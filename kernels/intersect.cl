@@ -1,0 +1,27 @@
+/* intersect.cl - the traversal's last step: intersects the (triangle, ray) pairs that survived.
+ *   pairs, pair_count  in      level 0 of the stream
+ *   hits               in/out  closest: .primitive is the best triangle so far, RSH_NO_HIT at first
+ *   occlusion          in/out  any: a bit per ray
+ */
+#include "candidates.h"
+#include "stride.h"
+
+__kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
+                            __global const uint* indices, __global const rsh_ray* rays,
+                            __global const rsh_pair* pairs, __global const uint* pair_count,
+                            __global rsh_hit* hits, __global uint* occlusion, uint occlusion_bit)
+{
+    const rsh_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const uint count = *pair_count;
+    const rsh_stride mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
+    for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        rsh_pair group[RSH_WIDTH];
+        uint filled = 0;
+        for (uint k = i * RSH_WIDTH; k < min((i + 1) * RSH_WIDTH, count); ++k) {
+            const rsh_pair pair = pairs[k];
+            if (RSH_ANY && (occlusion[pair.node] & occlusion_bit)) continue;
+            group[filled++] = pair;
+        }
+        if (filled > 0) intersect_pairs(&target, group, filled);
+    }
+}

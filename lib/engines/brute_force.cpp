@@ -1,0 +1,31 @@
+#include "engines/brute_force.hpp"
+
+#include "passes/build.hpp"
+#include "passes/intersect.hpp"
+#include "passes/mesh.hpp"
+
+namespace rsh {
+namespace {
+
+constexpr cl_uint kVectorsPerItem = 4;  // RSH_BLOCKS of brute_force.cl
+
+}  // namespace
+
+Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&) const {
+    return Layout(context.caps.alignment);
+}
+
+void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
+    const rsh_geometry& geometry = desc.geometry;
+    const Context& context = recorder.context();
+    const cl_uint rays = static_cast<cl_uint>(ray_count(levels_of(desc.width, desc.height)));
+    const size_t rays_per_item = size_t{kVectorsPerItem} * context.vector_width;
+    const size_t group = context.vector_width > 1 ? 1 : context.caps.group_size;
+    recorder.launch(RSH_STAGE_INTERSECT,
+                    {"brute_force", "rsh_brute_force", query_options(desc)},
+                    {(rays + rays_per_item - 1) / rays_per_item, group}, mesh_of(geometry),
+                    geometry.vertices, geometry.indices, desc.rays, rays, desc.hits,
+                    desc.occlusion, cl_uint{1} << desc.occlusion_bit);
+}
+
+}  // namespace rsh

@@ -1,0 +1,17 @@
+// brute_force.hpp - every ray against every triangle (brute_force.cl): what the others must equal.
+#pragma once
+
+#include "engines/engine.hpp"
+
+namespace rsh {
+
+class BruteForce final : public Engine {
+public:
+    cl_uint id() const noexcept override { return RSH_ENGINE_BRUTE_FORCE; }
+    const char* name() const noexcept override { return "brute_force"; }
+    bool needs_nodes() const noexcept override { return false; }
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc) const override;
+    void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
+};
+
+}  // namespace rsh

@@ -1,0 +1,22 @@
+#include "core/error.hpp"
+#include "engines/brute_force.hpp"
+#include "engines/paper.hpp"
+
+namespace rsh {
+
+// The first one is the default.
+const std::vector<const Engine*>& engines() {
+    static const Paper paper;
+    static const BruteForce brute_force;
+    static const std::vector<const Engine*> all = {&paper, &brute_force};
+    return all;
+}
+
+const Engine& find_engine(cl_uint id) {
+    if (id == RSH_ENGINE_DEFAULT) return *engines().front();
+    for (const Engine* engine : engines())
+        if (engine->id() == id) return *engine;
+    throw Error(RSH_INVALID_VALUE, "engine: is " + std::to_string(id) + ", must be RSH_ENGINE_...");
+}
+
+}  // namespace rsh

@@ -1,0 +1,157 @@
+#include "engines/paper.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "passes/bound.hpp"
+#include "passes/build.hpp"
+#include "passes/intersect.hpp"
+#include "passes/traverse_test.hpp"
+#include "reduce/strategy.hpp"
+
+namespace rsh {
+namespace {
+
+constexpr size_t kDefaultBudget = 64u << 20;
+// A pair that is tested takes four candidates and, if all survive, four places behind them.
+constexpr size_t kBytesPerTest = 8 * sizeof(rsh_pair);
+
+// Pairs that a level can test. Never more than the scene can make: one per triangle and node of
+// level 1, the finest that is tested.
+cl_uint limit_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
+    const size_t budget = desc.budget ? desc.budget : kDefaultBudget;
+    const cl_ulong finest = cl_ulong{levels.width[1]} * levels.height[1];
+    const cl_ulong possible = std::max<cl_ulong>(1, desc.geometry.triangle_count * finest);
+    return static_cast<cl_uint>(std::min<cl_ulong>(budget / kBytesPerTest, possible));
+}
+
+// A batch starts as a quarter of what a level can test: streams grow on their way down, and what
+// outgrows the limit is walked depth first.
+cl_uint batch_triangles(const rsh_traverse_desc& desc, cl_uint limit) {
+    if (desc.geometry.triangle_count <= limit / 4) return desc.geometry.triangle_count;
+    return std::max<cl_uint>(1, limit / 4);
+}
+
+// Pairs that level l can hold at most: a batch times its nodes.
+bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles, cl_uint limit) {
+    const cl_ulong nodes = cl_ulong{levels.width[level]} * levels.height[level];
+    return triangles * nodes > limit;
+}
+
+ReduceStream survivors(const PairStreams& streams, cl_uint level) {
+    ReduceStream stream = {};
+    stream.keep = RSH_KEEP_NOT_NULL;
+    stream.element_bytes = sizeof(rsh_pair);
+    stream.count = 4 * streams.limit;
+    stream.input_count = streams.candidate_count;
+    stream.input = streams.candidates;
+    stream.output = streams.pairs;
+    stream.output_count = streams.counts;
+    stream.output_index = level;
+    return stream;
+}
+
+// counts[l] is the length of the stream at level l; what no level tests first is known by size.
+void count_statistics(Recorder& recorder, const rsh_levels& levels, const PairStreams& streams,
+                      const Batch& batch) {
+    StatisticsLog& log = recorder.context().statistics;
+    if (!log.enabled()) return;
+    const cl_uint limit = streams.limit, count = levels.count;
+    cl_uint* counts = log.expect_counts(
+        count, [limit, count, batch](rsh_statistics& sums, const cl_uint* level_counts) {
+            ++sums.batches;
+            sums.pairs_tested[count] += batch.triangle_count;
+            for (cl_uint l = 0; l < count; ++l) {
+                const cl_ulong pairs = level_counts[l];
+                const cl_ulong walked = l > 0 && pairs > limit ? pairs - limit : 0;
+                sums.pairs_tested[l] += pairs;
+                sums.pairs_walked[l] += walked;
+                sums.peak_pairs = std::max(sums.peak_pairs, pairs);
+            }
+        });
+    recorder.read_later(streams.counts, count * sizeof(cl_uint), counts);
+}
+
+class Traversal {
+public:
+    Traversal(Recorder& recorder, const rsh_traverse_desc& desc, const Layout& layout)
+        : recorder_(recorder),
+          desc_(desc),
+          levels_(levels_of(desc.width, desc.height)),
+          strategy_(find_strategy(desc.strategy)),
+          scratch_(recorder, layout, desc.scratch),
+          streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["candidates"],
+                   scratch_["candidate count"], scratch_["counts"]} {
+        if (!desc_.spheres) make_spheres();
+    }
+
+    void run() {
+        clear_hits(recorder_, desc_);
+        const cl_uint total = desc_.geometry.triangle_count;
+        const cl_uint size = batch_triangles(desc_, streams_.limit);
+        for (cl_uint first = 0; first < total; first += size) {
+            report_progress(first / size, (total + size - 1) / size);
+            run_batch({first, std::min(size, total - first)});
+        }
+        resolve(recorder_, desc_);
+    }
+
+private:
+    void run_batch(const Batch& batch) {
+        test_root(recorder_, desc_, levels_, streams_, batch);
+        pack_survivors(levels_.count - 1);
+        for (cl_uint level = levels_.count - 1; level-- > 0;) {
+            test_level(recorder_, desc_, levels_, level, streams_);
+            if (can_overflow(levels_, level + 1, batch.triangle_count, streams_.limit))
+                walk_level(recorder_, desc_, levels_, level, streams_);
+            pack_survivors(level);
+        }
+        intersect(recorder_, desc_, streams_.pairs, streams_.counts);
+        count_statistics(recorder_, levels_, streams_, batch);
+    }
+
+    void pack_survivors(cl_uint level) {
+        strategy_.enqueue(recorder_, survivors(streams_, level), scratch_);
+    }
+
+    void make_spheres() {
+        desc_.spheres = scratch_["spheres"];
+        rsh_bound_desc bounds = {sizeof(rsh_bound_desc), desc_.geometry, desc_.spheres};
+        bound(recorder_, bounds);
+    }
+
+    void report_progress(cl_uint batch, cl_uint batch_count) {
+        if (desc_.progress && desc_.progress(batch, batch_count, desc_.progress_user))
+            throw Error(RSH_CANCELLED, "progress: asked to stop before batch " +
+                                           std::to_string(batch));
+    }
+
+    Recorder& recorder_;
+    rsh_traverse_desc desc_;
+    rsh_levels levels_;
+    const Strategy& strategy_;
+    Scratch scratch_;
+    PairStreams streams_;
+};
+
+}  // namespace
+
+Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc) const {
+    const rsh_levels levels = levels_of(desc.width, desc.height);
+    const cl_uint limit = limit_of(desc, levels);
+    Layout layout(context.caps.alignment);
+    layout.add_array<rsh_pair>("pairs", size_t{4} * limit);
+    layout.add_array<rsh_pair>("candidates", size_t{4} * limit);
+    layout.add_array<cl_uint>("candidate count", 1);
+    layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
+    if (!desc.spheres) layout.add("spheres", size_t{desc.geometry.triangle_count} * 16);
+    find_strategy(desc.strategy).reserve(layout, context, 4 * limit);
+    return layout;
+}
+
+void Paper::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
+    if (desc.width == 0) return;
+    Traversal(recorder, desc, scratch(recorder.context(), desc)).run();
+}
+
+}  // namespace rsh

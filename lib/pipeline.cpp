@@ -1,0 +1,124 @@
+// pipeline.cpp - the data flow of a frame; read this first.
+//
+// The paper's five steps: (1) rasterize what the camera sees and spawn secondary rays, (2) build
+// the hierarchy over them, (3) push the triangles down it, (4) intersect and shade, (5) repeat from
+// (2) for the rays that the hits spawn. Each line calls a pass; a pass has a kernel file of the same
+// name; rsh.cpp exposes the same passes one by one. Knows no buffer sizes: that is wave.cpp.
+#include "pipeline.hpp"
+
+#include "core/error.hpp"
+#include "engines/engine.hpp"
+#include "passes/bound.hpp"
+#include "passes/build.hpp"
+#include "passes/clear_colour.hpp"
+#include "passes/rasterize.hpp"
+#include "passes/shade.hpp"
+#include "passes/spawn.hpp"
+#include "wave.hpp"
+
+namespace rsh {
+namespace {
+
+class Frame {
+public:
+    Frame(Recorder& recorder, const rsh_frame_desc& desc)
+        : recorder_(recorder), desc_(desc), memory_(recorder, desc) {}
+
+    void render() {
+        rasterize(recorder_, memory_.rasterize());
+        if (memory_.bound().spheres) bound(recorder_, memory_.bound());
+        begin_image();
+        shade_wave(0);
+        spawn_waves(0);
+    }
+
+private:
+    // The ray tree, depth first: all reflections of a wave and what they see, then its refractions.
+    void spawn_waves(cl_uint bounce) {
+        if (bounce == desc_.bounces) return;
+        if (has(RSH_FEATURE_REFLECTION)) trace_wave(bounce, RSH_SPAWN_REFLECTION);
+        if (has(RSH_FEATURE_REFRACTION)) trace_wave(bounce, RSH_SPAWN_REFRACTION);
+    }
+
+    void trace_wave(cl_uint bounce, cl_uint kind) {
+        clear_active_count();
+        spawn(recorder_, memory_.spawn(bounce, kind));
+        if (!count_wave(bounce + 1)) return;
+        report_progress();
+        build(recorder_, memory_.build(bounce + 1));
+        traverse(memory_.traverse(bounce + 1));
+        shade_wave(bounce + 1);
+        spawn_waves(bounce + 1);
+    }
+
+    void shade_wave(cl_uint bounce) {
+        if (memory_.casts_shadows()) cast_shadows(bounce);
+        shade(recorder_, memory_.shade(bounce));
+    }
+
+    void cast_shadows(cl_uint bounce) {
+        recorder_.fill(RSH_STAGE_OTHER, memory_.occlusion(), 0, size_t{memory_.pixels()} * 4);
+        clear_active_count();
+        for (cl_uint light = 0; light < desc_.scene->light_count; ++light) {
+            if (!(desc_.scene->shadow_lights >> light & 1)) continue;
+            spawn(recorder_, memory_.spawn_shadow(bounce, light));
+            build(recorder_, memory_.build_shadow());
+            traverse(memory_.traverse_shadow(light));
+        }
+        count_later([bounce](rsh_statistics& sums, const cl_uint* count) {
+            sums.shadow_rays[bounce] += *count;
+        });
+    }
+
+    void begin_image() {
+        clear_active_count();
+        clear_colour(recorder_, memory_.hits(0), memory_.pixels(), desc_.colour,
+                     memory_.active_count());
+        count_later([](rsh_statistics& sums, const cl_uint* count) {
+            sums.active_rays[0] += *count;
+        });
+    }
+
+    void traverse(const rsh_traverse_desc& pass) {
+        find_engine(pass.engine).traverse(recorder_, pass);
+        recorder_.context().statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
+    }
+
+    bool has(rsh_features feature) const { return (desc_.scene->features & feature) != 0; }
+
+    void clear_active_count() {
+        recorder_.fill(RSH_STAGE_OTHER, memory_.active_count(), 0, sizeof(cl_uint));
+    }
+
+    // The one place where a frame waits for the device: an empty wave ends its branch of the tree.
+    bool count_wave(cl_uint bounce) {
+        const cl_uint count = recorder_.read_now(memory_.active_count());
+        recorder_.context().statistics.add(
+            [bounce, count](rsh_statistics& sums) { sums.active_rays[bounce] += count; });
+        return count > 0;
+    }
+
+    template <class Use>
+    void count_later(Use use) {
+        StatisticsLog& log = recorder_.context().statistics;
+        if (log.enabled())
+            recorder_.read_later(memory_.active_count(), sizeof(cl_uint),
+                                 log.expect_counts(1, use));
+    }
+
+    void report_progress() {
+        if (desc_.progress && desc_.progress(waves_++, 0, desc_.progress_user))
+            throw Error(RSH_CANCELLED, "progress: asked to stop");
+    }
+
+    Recorder& recorder_;
+    const rsh_frame_desc& desc_;
+    FrameMemory memory_;
+    cl_uint waves_ = 0;
+};
+
+}  // namespace
+
+void frame(Recorder& recorder, const rsh_frame_desc& desc) { Frame(recorder, desc).render(); }
+
+}  // namespace rsh

@@ -1,0 +1,11 @@
+// pipeline.hpp - the data flow of a frame; see pipeline.cpp.
+#pragma once
+
+#include "cl/recorder.hpp"
+
+namespace rsh {
+
+Layout frame_scratch(const Context& context, const rsh_frame_desc& desc);
+void frame(Recorder& recorder, const rsh_frame_desc& desc);
+
+}  // namespace rsh

@@ -1,0 +1,270 @@
+// rsh.cpp - the C boundary: checks arguments, turns exceptions into statuses, calls the passes. No
+// exception leaves this file, no OpenCL call is made in it.
+#include <rsh/rsh.h>
+
+#include <cstring>
+
+#include "core/check.hpp"
+#include "engines/engine.hpp"
+#include "features.hpp"
+#include "passes/bound.hpp"
+#include "passes/build.hpp"
+#include "passes/rasterize.hpp"
+#include "passes/shade.hpp"
+#include "passes/spawn.hpp"
+#include "pipeline.hpp"
+#include "reduce/strategy.hpp"
+
+namespace rsh {
+namespace {
+
+// Checks everything, then lets `pass` enqueue, then hands out the event.
+template <class Desc, class Pass>
+rsh_status enqueue(rsh_context context, const Submission& submission, const Desc* desc,
+                   cl_event* done, Pass pass) {
+    return guarded([&] {
+        Context& checked = checked_context(context);
+        const Desc copy = checked_desc(desc);
+        check_submission(checked, submission.queue, submission.wait_count, submission.wait_list);
+        check(checked, copy);
+        Recorder recorder(checked, submission);
+        pass(recorder, copy);
+        recorder.finish(done);
+    });
+}
+
+void set_sizes(rsh_sizes* sizes, size_t output_bytes, size_t scratch_bytes) {
+    require_not_null(sizes, "sizes");
+    require(sizes->struct_size == sizeof(rsh_sizes), "sizes.struct_size", sizes->struct_size,
+            std::to_string(sizeof(rsh_sizes)));
+    sizes->output_bytes = output_bytes;
+    sizes->scratch_bytes = scratch_bytes;
+}
+
+const char* status_text(rsh_status status) {
+    switch (status) {
+        case RSH_SUCCESS: return "RSH_SUCCESS: no error";
+        case RSH_INVALID_VALUE: return "RSH_INVALID_VALUE: a field is wrong";
+        case RSH_BUFFER_TOO_SMALL: return "RSH_BUFFER_TOO_SMALL: a buffer holds too few bytes";
+        case RSH_NO_DEVICE: return "RSH_NO_DEVICE: no OpenCL platform or device";
+        case RSH_BUILD_FAILED: return "RSH_BUILD_FAILED: a kernel did not compile";
+        case RSH_UNSUPPORTED: return "RSH_UNSUPPORTED: the device lacks what the call needs";
+        case RSH_OUT_OF_MEMORY: return "RSH_OUT_OF_MEMORY: the host is out of memory";
+        case RSH_CANCELLED: return "RSH_CANCELLED: the progress callback asked to stop";
+        case RSH_INTERNAL_ERROR: return "RSH_INTERNAL_ERROR: a defect of rsh";
+        default: return opencl_error_name(status);
+    }
+}
+
+template <class Choice>
+const char* name_of(const std::vector<const Choice*>& choices, cl_uint id) {
+    for (const Choice* choice : choices)
+        if (choice->id() == id) return choice->name();
+    return nullptr;
+}
+
+template <class Choice>
+cl_uint id_of(const std::vector<const Choice*>& choices, const char* name) {
+    require_not_null(name, "name");
+    std::string known;
+    for (const Choice* choice : choices) {
+        if (std::strcmp(choice->name(), name) == 0) return choice->id();
+        known += std::string(known.empty() ? "" : ", ") + choice->name();
+    }
+    throw Error(RSH_INVALID_VALUE,
+                std::string("name: is \"") + name + "\", must be one of " + known);
+}
+
+}  // namespace
+}  // namespace rsh
+
+extern "C" {
+
+const char* rsh_status_string(rsh_status status) {
+    const char* text = rsh::status_text(status);
+    return text ? text : "unknown status";
+}
+
+const char* rsh_last_error(void) { return rsh::last_error(); }
+
+cl_uint rsh_version(void) { return RSH_VERSION; }
+
+rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(context, "context");
+        *context = nullptr;
+        const rsh_context_desc copy = rsh::checked_desc(desc);
+        rsh::require_not_null(copy.context, "context");
+        rsh::require_not_null(copy.device, "device");
+        *context = new rsh_context_s(copy);
+    });
+}
+
+void rsh_release_context(rsh_context context) { delete context; }
+
+rsh_status rsh_find_device(const char* name, cl_platform_id* platform, cl_device_id* device) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(device, "device");
+        const cl::Device found = rsh::find_device(name);
+        *device = found();
+        if (platform) *platform = found.getInfo<CL_DEVICE_PLATFORM>();
+    });
+}
+
+rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled) {
+    return rsh::guarded(
+        [&] { rsh::checked_context(context).statistics.enable(enabled != CL_FALSE); });
+}
+
+rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics) {
+    return rsh::guarded([&] {
+        rsh::Context& checked = rsh::checked_context(context);
+        const size_t size = rsh::checked_desc(statistics).struct_size;
+        *statistics = checked.statistics.sum();
+        statistics->struct_size = size;
+        statistics->programs_built = checked.programs.built();
+        statistics->programs_loaded = checked.programs.loaded();
+        statistics->scratch_bytes = checked.pool.bytes();
+    });
+}
+
+rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
+                             const rsh_light* lights) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(scene, "scene");
+        if (scene->material_count) rsh::require_not_null(materials, "materials");
+        if (scene->light_count) rsh::require_not_null(lights, "lights");
+        rsh::require(scene->light_count <= RSH_MAX_LIGHTS, "scene.light_count",
+                     scene->light_count, "at most " + std::to_string(RSH_MAX_LIGHTS));
+        rsh::find_features(*scene, materials, lights);
+    });
+}
+
+rsh_status rsh_rasterize_query(rsh_context context, const rsh_rasterize_desc* desc,
+                               rsh_sizes* sizes) {
+    return rsh::guarded([&] {
+        const rsh::Context& checked = rsh::checked_context(context);
+        const rsh_rasterize_desc copy = rsh::checked_desc(desc);
+        rsh::set_sizes(sizes, 0, rsh::rasterize_scratch(checked, copy).bytes());
+    });
+}
+
+rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
+                         const rsh_rasterize_desc* desc, cl_uint wait_count,
+                         const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::rasterize);
+}
+
+rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc, rsh_sizes* sizes) {
+    return rsh::guarded([&] {
+        rsh::checked_context(context);
+        const rsh_bound_desc copy = rsh::checked_desc(desc);
+        rsh::set_sizes(sizes, size_t{copy.geometry.triangle_count} * 16, 0);
+    });
+}
+
+rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_bound_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::bound);
+}
+
+rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes,
+                           rsh_levels* levels) {
+    return rsh::guarded([&] {
+        rsh::checked_context(context);
+        const rsh_build_desc copy = rsh::checked_desc(desc);
+        rsh::check_ray_grid(copy.width, copy.height);
+        const rsh_levels shape = rsh::levels_of(copy.width, copy.height);
+        rsh::set_sizes(sizes, rsh::node_bytes(shape), 0);
+        if (levels) *levels = shape;
+    });
+}
+
+rsh_status rsh_build(rsh_context context, cl_command_queue queue, const rsh_build_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::build);
+}
+
+rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc,
+                              rsh_sizes* sizes) {
+    return rsh::guarded([&] {
+        const rsh::Context& checked = rsh::checked_context(context);
+        const rsh_traverse_desc copy = rsh::checked_desc(desc);
+        rsh::check_ray_grid(copy.width, copy.height);
+        const rsh::Engine& engine = rsh::find_engine(copy.engine);
+        const cl_ulong rays = rsh::ray_count(rsh::levels_of(copy.width, copy.height));
+        rsh::set_sizes(sizes, rays * (copy.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
+                       engine.scratch(checked, copy).bytes());
+    });
+}
+
+rsh_status rsh_traverse(rsh_context context, cl_command_queue queue, const rsh_traverse_desc* desc,
+                        cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done,
+                        [](rsh::Recorder& recorder, const rsh_traverse_desc& checked) {
+                            rsh::find_engine(checked.engine).traverse(recorder, checked);
+                            recorder.context().statistics.add(
+                                [](rsh_statistics& sums) { ++sums.traversals; });
+                        });
+}
+
+rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::spawn);
+}
+
+rsh_status rsh_shade(rsh_context context, cl_command_queue queue, const rsh_shade_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::shade);
+}
+
+rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc, rsh_sizes* sizes) {
+    return rsh::guarded([&] {
+        const rsh::Context& checked = rsh::checked_context(context);
+        const rsh_frame_desc copy = rsh::checked_desc(desc);
+        rsh::check(checked, copy.scene);
+        rsh::set_sizes(sizes, size_t{copy.width} * copy.height * sizeof(rsh_float4),
+                       rsh::frame_scratch(checked, copy).bytes());
+    });
+}
+
+rsh_status rsh_frame(rsh_context context, cl_command_queue queue, const rsh_frame_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::frame);
+}
+
+rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc, rsh_sizes* sizes) {
+    return rsh::guarded([&] {
+        const rsh::Context& checked = rsh::checked_context(context);
+        const rsh_reduce_desc copy = rsh::checked_desc(desc);
+        rsh::set_sizes(sizes, size_t{copy.count} * copy.element_bytes,
+                       rsh::reduce_scratch(checked, copy).bytes());
+    });
+}
+
+rsh_status rsh_reduce(rsh_context context, cl_command_queue queue, const rsh_reduce_desc* desc,
+                      cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::reduce);
+}
+
+const char* rsh_strategy_name(cl_uint strategy) {
+    return rsh::name_of(rsh::strategies(), strategy);
+}
+
+const char* rsh_engine_name(cl_uint engine) { return rsh::name_of(rsh::engines(), engine); }
+
+rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(strategy, "strategy");
+        *strategy = rsh::id_of(rsh::strategies(), name);
+    });
+}
+
+rsh_status rsh_engine_from_name(const char* name, cl_uint* engine) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(engine, "engine");
+        *engine = rsh::id_of(rsh::engines(), name);
+    });
+}
+
+}  // extern "C"
