@@ -19,6 +19,7 @@
 #ifndef RSH_CONE_SPHERE_H
 #define RSH_CONE_SPHERE_H
 
+#include "kernel_types.h"
 #include "vector.h"
 
 static int4 may_meet(const rsh_node_quad* node, float4 sphere)
