@@ -1,0 +1,50 @@
+// options.hpp - the command line of rsh-render. Opens no file.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace render {
+
+// What is not given stays empty: the scene's settings or a default take its place.
+struct Options {
+    std::vector<std::string> scenes;
+    std::string out;
+    std::string json;
+    std::string device;
+    std::optional<int> frames;
+    std::optional<double> time;
+    std::optional<glm::uvec2> size;
+    std::optional<uint32_t> bounces;
+    std::optional<float> min_weight;
+    uint32_t engine = RSH_ENGINE_DEFAULT;
+    uint32_t strategy = RSH_STRATEGY_DEFAULT;
+    uint64_t budget = 0;
+    rsh_features without = 0;
+    int checked_frames = 0;
+    uint32_t check_ray_step = 1;
+    bool prints_statistics = false;
+    bool lists_devices = false;
+};
+
+// Options, or the exit code of a command line that wants none (help) or is wrong; the text for
+// the user is printed.
+struct ParsedOptions {
+    std::optional<Options> options;
+    int exit_code = 0;
+};
+ParsedOptions parse_options(int argc, const char* const* argv);
+
+// "640x480"; throws std::runtime_error.
+glm::uvec2 parse_size(const std::string& text);
+
+// Where frame `index` of `count` goes: a %d or %04d in `pattern` becomes the index, else, when
+// there are several, the index in four digits goes in front of the ending.
+std::string frame_path(const std::string& pattern, int index, int count);
+
+}  // namespace render
