@@ -1,0 +1,44 @@
+// aff_tokens.hpp - words and numbers of AFF files, followed through their includes. Knows no
+// command of AFF but the include that it is told of.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace render {
+
+class AffTokens {
+public:
+    // Throws LoadError, as all functions here do; messages name file and line.
+    explicit AffTokens(const std::string& path);
+
+    // Goes on in `name`, a file beside the present one, and comes back after its end.
+    void include(const std::string& name);
+
+    // The next word; empty at the end of the last file.
+    std::string next();
+    std::string peek();
+    std::string word(const char* what);  // next(), which must not be at the end
+    double number(const char* what);
+    size_t count(const char* what);
+    glm::dvec3 vector(const char* what);
+    void expect(const char* word);
+    [[noreturn]] void fail(const std::string& what) const;
+
+private:
+    struct File {
+        std::string location;
+        std::string text;
+        size_t at = 0;
+    };
+
+    // Moves to the next word, out of files that have ended; false at the end of all.
+    bool find_word();
+    std::string line_of(const File& file) const;
+
+    std::vector<File> files_;
+};
+
+}  // namespace render
