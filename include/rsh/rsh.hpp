@@ -36,16 +36,16 @@ private:
     rsh_status status_;
 };
 
-// Throws Error unless `status` is RSH_SUCCESS. To be called on the thread that made the call, before
-// its next one: the message is the thread's.
+// Throws Error unless `status` is RSH_SUCCESS. To be called on the thread that made the call,
+// before its next one: the message is the thread's.
 inline void check(rsh_status status) {
     if (status == RSH_SUCCESS) return;
     const std::string message = rsh_last_error();
     throw Error(status, message.empty() ? rsh_status_string(status) : message);
 }
 
-// A descriptor, or a struct to be filled, with struct_size set and every other member zero, which
-// means its default.
+// A descriptor, or a struct to be filled, with struct_size set and every other member zero,
+// which means its default.
 template <class Struct>
 Struct make() {
     Struct result = Struct();
