@@ -2,11 +2,7 @@
 #ifndef RSH_KERNEL_TYPES_H
 #define RSH_KERNEL_TYPES_H
 
-#ifdef __OPENCL_VERSION__
 #include "rsh_types.h"
-#else
-#include <rsh/rsh_types.h>
-#endif
 
 /* How to read rsh_geometry: offsets and stride in words of 4 bytes. */
 typedef struct rsh_mesh {

@@ -25,17 +25,18 @@ cl_uint limit_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
     return static_cast<cl_uint>(std::min<cl_ulong>(budget / kBytesPerTest, possible));
 }
 
-// A batch starts as a quarter of what a level can test: streams grow on their way down, and what
-// outgrows the limit is walked depth first.
-cl_uint batch_triangles(const rsh_traverse_desc& desc, cl_uint limit) {
-    if (desc.geometry.triangle_count <= limit / 4) return desc.geometry.triangle_count;
-    return std::max<cl_uint>(1, limit / 4);
-}
-
-// Pairs that level l can hold at most: a batch times its nodes.
+// The stream at a level holds at most a batch times the level's nodes.
 bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles, cl_uint limit) {
     const cl_ulong nodes = cl_ulong{levels.width[level]} * levels.height[level];
     return triangles * nodes > limit;
+}
+
+// A batch starts as a quarter of what a level can test: streams grow on their way down, and what
+// outgrows the limit is walked depth first.
+cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels, cl_uint limit) {
+    const cl_uint all = desc.geometry.triangle_count;
+    if (!can_overflow(levels, 1, all, limit)) return all;
+    return std::max<cl_uint>(1, std::min(all, limit / 4));
 }
 
 ReduceStream survivors(const PairStreams& streams, cl_uint level) {
@@ -88,7 +89,7 @@ public:
     void run() {
         clear_hits(recorder_, desc_);
         const cl_uint total = desc_.geometry.triangle_count;
-        const cl_uint size = batch_triangles(desc_, streams_.limit);
+        const cl_uint size = batch_triangles(desc_, levels_, streams_.limit);
         for (cl_uint first = 0; first < total; first += size) {
             report_progress(first / size, (total + size - 1) / size);
             run_batch({first, std::min(size, total - first)});

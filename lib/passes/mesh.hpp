@@ -3,7 +3,7 @@
 
 #include <rsh/rsh.h>
 
-#include "../../kernels/kernel_types.h"
+#include "kernel_types.h"
 
 namespace rsh {
 
