@@ -6,7 +6,8 @@
 
 typedef struct rsh_dielectric {
     float eta;       /* index of refraction behind the surface / before it                   */
-    float cosine;    /* of the angle between ray and normal                                  */
+    float cosine;    /* of the angle between viewer and normal; negative where an interpolated
+                        normal faces away                                                    */
     float refracted; /* eta * cosine of the refracted angle; 0 under total internal reflection */
 } rsh_dielectric;
 
@@ -18,7 +19,7 @@ static rsh_dielectric dielectric_at(const rsh_surface* surface, float index)
     if (!(index > 0.0f) || isinf(index)) index = 1.0f;
     rsh_dielectric at;
     at.eta = surface->is_outside ? index : 1.0f / index;
-    at.cosine = fmin(fmax(-dot3(surface->incident, surface->normal), 0.0f), 1.0f);
+    at.cosine = fmin(fmax(-dot3(surface->incident, surface->normal), -1.0f), 1.0f);
     at.refracted = sqrt(fmax((at.eta - 1.0f) * (at.eta + 1.0f) + at.cosine * at.cosine, 0.0f));
     return at;
 }
@@ -27,8 +28,9 @@ static rsh_dielectric dielectric_at(const rsh_surface* surface, float index)
 static float reflectance(rsh_dielectric at)
 {
     if (!(at.refracted > 0.0f)) return 1.0f;
-    const float across = (at.cosine - at.refracted) / (at.cosine + at.refracted);
-    const float scaled = at.eta * at.eta * at.cosine;
+    const float cosine = fabs(at.cosine);
+    const float across = (cosine - at.refracted) / (cosine + at.refracted);
+    const float scaled = at.eta * at.eta * cosine;
     const float along = (scaled - at.refracted) / (scaled + at.refracted);
     return 0.5f * (across * across + along * along);
 }

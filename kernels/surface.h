@@ -24,7 +24,7 @@ typedef struct rsh_surface {
     rsh_triangle triangle;
     float3 point;     /* on the triangle                                                  */
     float3 geometric; /* unit normal of the triangle, turned to the side the ray comes from */
-    float3 normal;    /* unit, for shading, towards the same side and not away from the ray */
+    float3 normal;    /* unit, for shading, within 90 degrees of `geometric`              */
     float3 incident;  /* unit direction of the ray                                        */
     bool is_outside;  /* the ray comes from the side of (v1 - v0) x (v2 - v0)             */
     uint material;
@@ -57,20 +57,17 @@ static float3 vertex_normal(const rsh_shape* shape, uint vertex)
     return vload3(vertex, shape->normals);
 }
 
-/* Interpolated normal, turned to the side of `geometric`. Where it still faces away from the
- * viewer, as near silhouettes, it is bent back until it is at right angles to the ray. */
+/* Interpolated normal, turned to the side of `geometric`; zero or not finite: that one. Near
+ * silhouettes it may still face away from the viewer. */
 static float3 smooth_normal(const rsh_shape* shape, const rsh_surface* surface, rsh_hit hit)
 {
     uint corner[3];
     triangle_vertices(shape->mesh, shape->indices, hit.primitive, corner);
-    float3 normal = unit3((1.0f - hit.u - hit.v) * vertex_normal(shape, corner[0]) +
+    const float3 normal = unit3((1.0f - hit.u - hit.v) * vertex_normal(shape, corner[0]) +
                           hit.u * vertex_normal(shape, corner[1]) +
                           hit.v * vertex_normal(shape, corner[2]));
-    if (dot3(normal, surface->geometric) < 0.0f) normal = -normal;
-    const float away = dot3(normal, surface->incident);
-    if (away > 0.0f) normal = unit3(normal - away * surface->incident);
-    const bool is_flat = !(dot3(normal, normal) > 0.0f);
-    return is_flat ? surface->geometric : normal;
+    if (!(dot3(normal, normal) > 0.0f)) return surface->geometric;
+    return dot3(normal, surface->geometric) < 0.0f ? -normal : normal;
 }
 
 static uint material_of(const rsh_shape* shape, uint triangle)

@@ -18,7 +18,8 @@ rsh_features needed_by(const rsh_material& material, const rsh_scene& scene) {
 }
 
 rsh_features provided_by_buffers(const rsh_scene& scene) {
-    rsh_features provided = RSH_FEATURE_REFLECTION | RSH_FEATURE_REFRACTION | RSH_FEATURE_SHADOW;
+    rsh_features provided =
+        RSH_FEATURE_REFLECTION | RSH_FEATURE_REFRACTION | RSH_FEATURE_SHADOW;
     const bool has_images = scene.textures && scene.texels && scene.texture_count > 0;
     if (scene.normals) provided |= RSH_FEATURE_SMOOTH_NORMAL;
     if (has_images && scene.texcoords) provided |= RSH_FEATURE_TEXTURE;
@@ -37,11 +38,7 @@ void find_features(rsh_scene& scene, const rsh_material* materials, const rsh_li
     for (cl_uint k = 0; k < scene.light_count; ++k)
         if (lights[k].casts_shadow) scene.shadow_lights |= 1u << k;
     if (scene.shadow_lights != 0) scene.features |= RSH_FEATURE_SHADOW;
-    scene.features = usable_features(scene);
-}
-
-rsh_features usable_features(const rsh_scene& scene) {
-    return scene.features & provided_by_buffers(scene);
+    scene.features &= provided_by_buffers(scene);
 }
 
 }  // namespace rsh

@@ -9,7 +9,4 @@ namespace rsh {
 // See rsh_find_features.
 void find_features(rsh_scene& scene, const rsh_material* materials, const rsh_light* lights);
 
-// The scene's mask without the features whose buffers are missing.
-rsh_features usable_features(const rsh_scene& scene);
-
 }  // namespace rsh
