@@ -40,7 +40,7 @@ typedef cl_uint rsh_uint;
 /* Levels of a hierarchy: 4^14 rays fill 15 levels, a list of 2^28 rays as well. */
 #define RSH_MAX_LEVELS 16
 
-/* A ray: the points origin + t * direction with tmin <= t <= tmax.
+/* A ray: the points origin + t * direction with tmin <= t <= tmax; a tmin below 0 counts as 0.
  *
  * The direction has any length but zero; t counts in units of that length. A ray is inactive,
  * costs nothing in the hierarchy and hits nothing, when a component of its origin or direction

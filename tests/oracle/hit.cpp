@@ -129,7 +129,7 @@ Candidate intersect(const rsh_ray& ray, const Corners& c) {
     if (of_two_signs(volumes)) return result;
 
     locate(d, p, volumes, &result);
-    const double tmin = ray.origin_tmin.s[3], tmax = ray.direction_tmax.s[3];
+    const double tmin = std::max(ray.origin_tmin.s[3], 0.0f), tmax = ray.direction_tmax.s[3];
     result.possible = result.t_high >= tmin && result.t_low <= tmax;
     result.certain = all_of_one_sign(volumes) && result.t_low >= tmin && result.t_high <= tmax;
     result.exact = result.t >= tmin && result.t <= tmax && exactly_inside(ray, c, volumes);

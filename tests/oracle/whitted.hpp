@@ -1,0 +1,44 @@
+// whitted.hpp - Whitted's shading of one hit in double precision, written from the comments of
+// rsh_material, rsh_light and rsh_texture. Scalar, no acceleration; shares no code with
+// kernels.
+//
+// Where those comments leave a choice: the geometric normal turns towards the ray, the shading
+// normal follows it; texels are decoded before they are interpolated.
+#pragma once
+
+#include "../support/scene.hpp"
+
+namespace oracle {
+
+struct Surface {
+    test::Double3 point;
+    test::Double3 geometric;  // unit, on the side that the ray comes from
+    test::Double3 normal;     // unit, for shading
+    test::Double3 diffuse;    // with texture
+    rsh_material material;
+    bool from_inside = false;  // the ray meets the back
+};
+
+Surface surface_at(const test::Scene& scene, const rsh_ray& ray, const rsh_hit& hit);
+
+// What the surface, or the environment where nothing is hit, sends back along the ray; bit k of
+// `hidden` takes away light k.
+test::Double3 radiance(const test::Scene& scene, const rsh_ray& ray, const rsh_hit& hit,
+                       uint32_t hidden);
+
+// Unit vector towards the light; *distance is infinite for a directional one.
+test::Double3 towards_light(const rsh_light& light, test::Double3 point, double* distance);
+
+struct Secondary {
+    bool exists = false;
+    test::Double3 direction;  // unit
+    test::Double3 weight;
+};
+
+Secondary reflected(const Surface& surface, const rsh_ray& ray);
+Secondary refracted(const Surface& surface, const rsh_ray& ray);
+
+// Repeat, bilinear; u to the right, v upwards.
+test::Double3 texture_at(const test::Scene& scene, uint32_t texture, double u, double v);
+
+}  // namespace oracle
