@@ -8,7 +8,7 @@
 #ifndef RSH_RASTERIZE_TYPES_H
 #define RSH_RASTERIZE_TYPES_H
 
-#include "rsh_types.h"
+#include "kernel_types.h"
 
 typedef struct rsh_screen {
     rsh_float4 eye_near;    /* xyz [world], w: tmin of the rays */
