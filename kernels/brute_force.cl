@@ -5,9 +5,6 @@
  */
 #include "intersect.h"
 
-#ifndef RSH_ANY
-#define RSH_ANY 0
-#endif
 #define RSH_BLOCKS 4
 #define RSH_RAYS (RSH_BLOCKS * RSH_WIDTH)
 
@@ -93,7 +90,7 @@ __kernel void rsh_brute_force(rsh_mesh mesh, __global const float* vertices,
             keep_closer(&best[b], intersect(sheared[b], corner), i);
     }
     for (int b = 0; b < RSH_BLOCKS; ++b) {
-        if (RSH_ANY)
+        if (occlusion_bit)
             store_occlusion(occlusion, occlusion_bit, first + b * RSH_WIDTH, ray_count, &best[b]);
         else
             store_hits(rays, hits, first + b * RSH_WIDTH, ray_count, &best[b]);

@@ -11,10 +11,6 @@
 
 #include "intersect.h"
 
-#ifndef RSH_ANY
-#define RSH_ANY 0 /* 1: one bit per ray, 0: the closest hit */
-#endif
-
 typedef struct rsh_target {
     rsh_mesh mesh;
     __global const float* vertices;
@@ -22,7 +18,7 @@ typedef struct rsh_target {
     __global const rsh_ray* rays;
     volatile __global rsh_hit* hits;
     volatile __global uint* occlusion;
-    uint occlusion_bit; /* as a mask */
+    uint occlusion_bit; /* as a mask; 0: closest hits are wanted */
 } rsh_target;
 
 static bool is_closer(const rsh_target* target, uint ray, float t, uint triangle, uint best)
@@ -36,9 +32,10 @@ static bool is_closer(const rsh_target* target, uint ray, float t, uint triangle
 
 static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle)
 {
-#if RSH_ANY
-    atomic_or(target->occlusion + ray, target->occlusion_bit);
-#else
+    if (target->occlusion_bit) {
+        atomic_or(target->occlusion + ray, target->occlusion_bit);
+        return;
+    }
     volatile __global uint* slot = &target->hits[ray].primitive;
     uint best = *slot;
     while (best == RSH_NO_HIT || is_closer(target, ray, t, triangle, best)) {
@@ -46,7 +43,6 @@ static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle
         if (seen == best) return;
         best = seen;
     }
-#endif
 }
 
 /* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. */

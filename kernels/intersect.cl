@@ -19,7 +19,7 @@ __kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
         uint filled = 0;
         for (uint k = i * RSH_WIDTH; k < min((i + 1) * RSH_WIDTH, count); ++k) {
             const rsh_pair pair = pairs[k];
-            if (RSH_ANY && (occlusion[pair.node] & occlusion_bit)) continue;
+            if (occlusion_bit && (occlusion[pair.node] & occlusion_bit)) continue;
             group[filled++] = pair;
         }
         if (filled > 0) intersect_pairs(&target, group, filled);

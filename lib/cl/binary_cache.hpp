@@ -16,12 +16,13 @@ class BinaryCache {
 public:
     static constexpr uint64_t kMaxBytes = 64u << 20;
 
-    // `folder` empty: nothing is ever found or stored.
+    // `folder` empty: disabled, nothing is ever found or stored.
     explicit BinaryCache(std::string folder) : folder_(std::move(folder)) {}
 
     // Folder from the descriptor, else RSH_CACHE_DIR, else XDG_CACHE_HOME/rsh, else ~/.cache/rsh.
     static std::string folder_for(const char* requested);
 
+    bool enabled() const { return !folder_.empty(); }
     std::optional<std::vector<unsigned char>> load(const std::string& key) const;
     void store(const std::string& key, const std::vector<unsigned char>& binary) const;
 

@@ -93,6 +93,7 @@ cl::Program Programs::compile(const KernelName& name, const std::string& source,
 
 // Failing to store costs the next process a compilation, and this one nothing.
 void Programs::store(const std::string& key, const cl::Program& program) const {
+    if (!cache_.enabled()) return;
     try {
         const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
         const auto devices = program.getInfo<CL_PROGRAM_DEVICES>();

@@ -22,10 +22,10 @@ void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) con
     const size_t rays_per_item = size_t{kVectorsPerItem} * context.vector_width;
     const size_t group = context.vector_width > 1 ? 1 : context.caps.group_size;
     recorder.launch(RSH_STAGE_INTERSECT,
-                    {"brute_force", "rsh_brute_force", query_options(desc)},
+                    {"brute_force", "rsh_brute_force"},
                     {(rays + rays_per_item - 1) / rays_per_item, group}, mesh_of(geometry),
                     geometry.vertices, geometry.indices, desc.rays, rays, desc.hits,
-                    desc.occlusion, cl_uint{1} << desc.occlusion_bit);
+                    desc.occlusion, occlusion_mask(desc));
 }
 
 }  // namespace rsh

@@ -5,8 +5,8 @@
 
 namespace rsh {
 
-std::string query_options(const rsh_traverse_desc& desc) {
-    return desc.query == RSH_QUERY_ANY ? "-D RSH_ANY=1" : "-D RSH_ANY=0";
+cl_uint occlusion_mask(const rsh_traverse_desc& desc) {
+    return desc.query == RSH_QUERY_ANY ? cl_uint{1} << desc.occlusion_bit : 0;
 }
 
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
@@ -18,17 +18,17 @@ void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
 void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
                cl_mem pair_count) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_INTERSECT, {"intersect", "rsh_intersect", query_options(desc)},
+    recorder.launch(RSH_STAGE_INTERSECT, {"program_traverse", "rsh_intersect"},
                     recorder.stream_range(), mesh_of(geometry), geometry.vertices,
                     geometry.indices, desc.rays, pairs, pair_count, desc.hits, desc.occlusion,
-                    cl_uint{1} << desc.occlusion_bit);
+                    occlusion_mask(desc));
 }
 
 void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {
     if (desc.query == RSH_QUERY_ANY) return;
     const rsh_geometry& geometry = desc.geometry;
     const cl_uint rays = static_cast<cl_uint>(ray_count(levels_of(desc.width, desc.height)));
-    recorder.launch(RSH_STAGE_INTERSECT, {"resolve", "rsh_resolve"}, recorder.range(rays),
+    recorder.launch(RSH_STAGE_INTERSECT, {"program_traverse", "rsh_resolve"}, recorder.range(rays),
                     mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays, rays,
                     desc.hits);
 }

@@ -5,8 +5,8 @@
 
 namespace rsh {
 
-// Compile-time parameters of kernels that end in hits or in an occlusion bit.
-std::string query_options(const rsh_traverse_desc& desc);
+// The bit to set where a ray hits something; 0: closest hits are wanted.
+cl_uint occlusion_mask(const rsh_traverse_desc& desc);
 
 // No ray has hit anything yet.
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc);

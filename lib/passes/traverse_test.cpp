@@ -7,7 +7,7 @@ namespace rsh {
 
 void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                const PairStreams& streams, const Batch& batch) {
-    recorder.launch(RSH_STAGE_TEST, {"traverse_test", "rsh_traverse_test_root"},
+    recorder.launch(RSH_STAGE_TEST, {"program_traverse", "rsh_traverse_test_root"},
                     recorder.stream_range(), levels, levels.count - 1, batch.first_triangle,
                     batch.triangle_count, desc.spheres, desc.nodes, streams.candidates,
                     streams.candidate_count);
@@ -15,7 +15,7 @@ void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_leve
 
 void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                 cl_uint level, const PairStreams& streams) {
-    recorder.launch(RSH_STAGE_TEST, {"traverse_test", "rsh_traverse_test"},
+    recorder.launch(RSH_STAGE_TEST, {"program_traverse", "rsh_traverse_test"},
                     recorder.stream_range(), levels, level, streams.limit, desc.spheres,
                     desc.nodes, streams.pairs, streams.counts, streams.candidates,
                     streams.candidate_count);
@@ -24,11 +24,11 @@ void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_lev
 void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                 cl_uint level, const PairStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_TEST, {"traverse_walk", "rsh_traverse_walk", query_options(desc)},
+    recorder.launch(RSH_STAGE_TEST, {"program_traverse", "rsh_traverse_walk"},
                     recorder.stream_range(), levels, level, streams.limit, mesh_of(geometry),
                     geometry.vertices, geometry.indices, desc.rays, desc.spheres, desc.nodes,
                     streams.pairs, streams.counts, desc.hits, desc.occlusion,
-                    cl_uint{1} << desc.occlusion_bit);
+                    occlusion_mask(desc));
 }
 
 }  // namespace rsh
