@@ -36,6 +36,14 @@ void change(Material& material, const MaterialChange& c) {
     change_to(material.ior, c.ior);
     change_to(material.emission, c.emission);
     change_to(material.texture, c.texture);
+    if (c.diffuse && !c.ambient) material.ambient = *c.diffuse;
+}
+
+// Most mesh files say nothing about ambient light; black objects in shadow are not what they
+// mean.
+void default_ambient(std::vector<Material>& materials) {
+    for (Material& material : materials)
+        if (material.ambient == glm::vec3(0.0f)) material.ambient = material.diffuse;
 }
 
 void change_named(std::vector<Material>& materials, const std::string& name,
@@ -57,6 +65,7 @@ void change_named(std::vector<Material>& materials, const std::string& name,
 }
 
 void change_materials(const MeshEntry& entry, std::vector<Material>& materials) {
+    default_ambient(materials);
     for (Material& material : materials) change(material, entry.material);
     for (const auto& [name, c] : entry.materials) change_named(materials, name, c, entry.where);
 }

@@ -55,10 +55,10 @@ Material glass() {
 
 std::vector<Material> room_materials(const RoomOptions& options) {
     std::vector<Material> materials{
-        glossy("light tile", {0.62f, 0.56f, 0.47f}, 0.15f, 60.0f),
-        glossy("dark tile", {0.16f, 0.13f, 0.11f}, 0.15f, 60.0f),
-        matt("wall", {0.62f, 0.63f, 0.58f}),
-        matt("ceiling", {0.75f, 0.75f, 0.73f}),
+        glossy("light tile", {0.46f, 0.41f, 0.33f}, 0.15f, 60.0f),
+        glossy("dark tile", {0.10f, 0.08f, 0.07f}, 0.15f, 60.0f),
+        matt("wall", {0.44f, 0.47f, 0.46f}),
+        matt("ceiling", {0.62f, 0.62f, 0.60f}),
         mirror(),
         glass(),
         glossy("plinth", {0.45f, 0.44f, 0.42f}, 0.1f, 20.0f),
@@ -72,7 +72,7 @@ std::vector<Material> room_materials(const RoomOptions& options) {
     };
     if (options.mirror_floor)
         for (const RoomMaterial tile : {kLightTile, kDarkTile})
-            materials[tile].reflection = glm::vec3(0.45f);
+            materials[tile].reflection = glm::vec3(0.36f);
     return materials;
 }
 
@@ -135,9 +135,9 @@ Light lamp(glm::vec3 position, glm::vec3 colour) {
 
 Camera room_camera() {
     Camera camera;
-    camera.eye = {0.9f, 1.75f, 3.8f};
-    camera.at = {-0.15f, 0.85f, -0.6f};
-    camera.vertical_degrees = 52.0f;
+    camera.eye = {0.55f, 1.5f, 3.7f};
+    camera.at = {-0.15f, 0.72f, -0.4f};
+    camera.vertical_degrees = 46.0f;
     camera.near = 0.01f;
     return camera;
 }
@@ -148,15 +148,15 @@ Model make_room(const RoomOptions& options) {
     Patches patches;
     add_shell(patches);
     if (options.mirror_sphere)
-        add_ball_on_plinth(patches, {-1.9f, 0, -1.6f}, 0.8f, 0.3f, kMirror);
-    if (options.glass) add_ball_on_plinth(patches, {1.45f, 0, 1.2f}, 0.34f, 0.5f, kGlass);
+        add_ball_on_plinth(patches, {-1.75f, 0, -1.3f}, 0.8f, 0.3f, kMirror);
+    if (options.glass) add_ball_on_plinth(patches, {1.3f, 0, 0.75f}, 0.34f, 0.5f, kGlass);
     add_furniture(patches, options);
 
     Model model;
     model.mesh = tessellate(patches, options.triangles);
     model.materials = room_materials(options);
-    model.lights = {lamp({-2.0f, 3.3f, 1.6f}, {0.75f, 0.70f, 0.62f}),
-                    lamp({2.6f, 3.3f, 0.6f}, {0.45f, 0.48f, 0.55f})};
+    model.lights = {lamp({-1.6f, 3.2f, 2.6f}, {0.78f, 0.71f, 0.60f}),
+                    lamp({3.6f, 3.3f, -0.6f}, {0.30f, 0.34f, 0.42f})};
     model.camera = room_camera();
     return model;
 }

@@ -13,7 +13,7 @@
 namespace render {
 namespace {
 
-constexpr glm::vec3 kDefaultAmbient(0.18f);
+constexpr glm::vec3 kDefaultAmbient(0.16f);
 constexpr glm::vec3 kDefaultEnvironment(0.10f, 0.12f, 0.15f);
 
 template <typename T>
