@@ -40,9 +40,9 @@ static float3 triangle_normal(rsh_triangle p)
     const float3 edge2 = exact_difference(p.v2, p.v0, &rest2);
     const float size = fmax(largest3(fabs(edge1)), largest3(fabs(edge2)));
     if (!(size > 0.0f) || isinf(size)) return (float3)(0.0f);
-    const int k = -ilogb(size);
-    const float3 a = ldexp(edge1, k), b = ldexp(edge2, k);
-    return unit3(cross3(a, b) + (cross3(ldexp(rest1, k), b) + cross3(a, ldexp(rest2, k))));
+    const float scale = ldexp(1.0f, clamp(-ilogb(size), -125, 126));
+    const float3 a = scale * edge1, b = scale * edge2;
+    return unit3(cross3(a, b) + (cross3(scale * rest1, b) + cross3(a, scale * rest2)));
 }
 
 /* The barycentric point, as an offset from a corner: an error of u or v moves it along the

@@ -211,7 +211,7 @@ typedef struct rsh_scene {
     cl_mem texels;                /* what they point into */
     rsh_float4 ambient;           /* rgb of the light from everywhere, w: 0                */
     rsh_float4 environment;       /* rgb that a ray sees which hits nothing; scales the image */
-    cl_uint environment_texture;  /* 1 + index of a latitude-longitude image, +y up;
+    cl_uint environment_texture;  /* 1 + index of a latitude-longitude image, see rsh_texture;
                                      0: none, the plain colour                             */
     rsh_features features;        /* what shading must support; 0: nothing beyond flat, local
                                      light; see rsh_find_features                          */
@@ -219,7 +219,8 @@ typedef struct rsh_scene {
 
 /* Fills scene->features and scene->shadow_lights with what these materials and lights (host
  * copies of the device arrays) and the buffers present in `scene` need. Call it when they change;
- * leave a bit out to switch a feature off. */
+ * leave a bit out to switch a feature off. Without RSH_FEATURE_REFRACTION a material's transmission
+ * counts as 0. */
 RSH_API rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
                                      const rsh_light* lights);
 
@@ -385,10 +386,22 @@ typedef struct rsh_spawn_desc {
     cl_mem active_count;     /* in/out: one cl_uint, grows by the rays spawned; may be NULL   */
 } rsh_spawn_desc;
 
-/* Makes one secondary ray per hit. Origins are moved off the surface along its geometric normal
- * by a few units in the last place (Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
- * A shadow ray runs from the surface to the light, tmin 0; for a point or spot light t = 1 is the
- * light, kept outside of tmax. Surfaces that face away from the light get none. One launch. */
+/* Makes one secondary ray per hit, tmin 0. Origins are moved off the surface along its geometric
+ * normal, to the side that the ray leaves to, so far that rounding cannot bring the ray back to its
+ * own triangle: 2^-18 of the triangle's extent + 2^-22 of the coordinates (kernels/offset.h; cf.
+ * Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
+ *
+ * Reflection, refraction  unit direction, tmax infinite; its weight is the ray's weight times that
+ *         of rsh_material, w: 0. A direction that an interpolated normal would send to the wrong
+ *         side of the triangle is mirrored in the triangle's plane. None is made when the weight
+ *         is not finite, or its largest component is not above 0 and min_weight.
+ * Shadow  runs from the surface to the light: for a point or spot light t = 1 is the light and
+ *         tmax 1 - 2^-16, so that the light itself is outside; for a directional one the direction
+ *         is unit and tmax infinite. None is made for a light with casts_shadow = 0, nor where the
+ *         light adds nothing: the surface faces away, is outside of its cone, gets no colour, or
+ *         has neither diffuse nor specular colour.
+ * Nothing is made at rays that are inactive or hit nothing. Where no ray is made, the ray is all 0
+ * but for tmax = -1, and its weight is 0. One launch. */
 RSH_API rsh_status rsh_spawn(rsh_context context, cl_command_queue queue,
                              const rsh_spawn_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -406,8 +419,9 @@ typedef struct rsh_shade_desc {
     cl_mem colour;    /* in/out: float4 per ray, linear rgb; a is left alone                  */
 } rsh_shade_desc;
 
-/* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit, or
- * weight * environment where it hits nothing, to its colour. One launch. */
+/* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit, see
+ * rsh_material, or weight * environment where it hits nothing, to its colour; adds nothing for
+ * inactive rays. What mirrored and refracted rays see is added by shading those. One launch. */
 RSH_API rsh_status rsh_shade(rsh_context context, cl_command_queue queue,
                              const rsh_shade_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);

@@ -109,8 +109,12 @@ RSH_ASSERT_SIZE(rsh_camera, 64);
 
 /* Whitted's material (CACM 1980), with Blinn-Phong highlights. All colours are linear.
  * A surface sends out  emission + ambient * scene ambient
- *   + for each light that reaches it: diffuse * cos + specular * cos(half)^shininess
+ *   + for each light that reaches it: colour that arrives
+ *     * (diffuse * cos(normal, to light) + specular * cos(normal, halfway to viewer)^shininess)
  *   + reflected weight * what the mirror ray sees + refracted weight * what the refracted ray sees.
+ * The geometric normal n = (v1 - v0) x (v2 - v0) points to the outside. For shading it is turned to
+ * the side that the ray comes from, and replaced by the interpolated vertex normal, turned to
+ * that same side, unless this one is zero. A light reaches the surface when both normals face it.
  * With transmission, the weights follow Fresnel's reflectance F of an unpolarized dielectric:
  * reflected F + (1 - F) * reflection, refracted (1 - F) * transmission; F = 1 under total internal
  * reflection. Without transmission the reflected weight is `reflection`. */
@@ -119,7 +123,8 @@ typedef struct rsh_material {
     rsh_float4 diffuse;      /* rgb, w: 0; multiplied by the texture */
     rsh_float4 specular;     /* rgb, w: shininess, the Blinn-Phong exponent */
     rsh_float4 reflection;   /* rgb, w: 0 */
-    rsh_float4 transmission; /* rgb, w: index of refraction inside, relative to outside */
+    rsh_float4 transmission; /* rgb, w: index of refraction inside, relative to outside;
+                                not positive: 1 */
     rsh_float4 emission;     /* rgb, w: 0 */
     rsh_uint texture;        /* of the diffuse colour, or RSH_NO_TEXTURE */
     rsh_uint padding[3];
@@ -134,7 +139,8 @@ typedef struct rsh_light {
     rsh_float4 position;    /* point, spot: xyz [world], w: 0 */
     rsh_float4 direction;   /* directional, spot: xyz, unit, the way the light travels; w: 0 */
     rsh_float4 colour;      /* rgb, linear; w: 0 */
-    rsh_float4 attenuation; /* colour / (x + y * distance + z * distance^2); all 0: none */
+    rsh_float4 attenuation; /* colour / (x + y * distance + z * distance^2); all 0: none;
+                               a sum that is not positive: no light arrives */
     rsh_float cos_inner;    /* spot: full colour inside this cone, ... */
     rsh_float cos_outer;    /* ... none outside this one, smoothstep between */
     rsh_uint kind;          /* RSH_LIGHT_... */
@@ -145,7 +151,11 @@ RSH_ASSERT_SIZE(rsh_light, 80);
 #define RSH_TEXEL_SRGB8 0u   /* 4 bytes r g b a, sRGB-encoded */
 #define RSH_TEXEL_FLOAT32 1u /* 4 floats r g b a, linear       */
 
-/* One image in the texel buffer; rows from top to bottom, v = 1 is the top edge. */
+/* One image in the texel buffer; rows from top to bottom, v = 1 is the top edge. Texels are decoded,
+ * then interpolated between their centres (bilinear); a is ignored. Images repeat.
+ * As a latitude-longitude image, a unit direction (x, y, z) looks at
+ *   u = 0.5 + atan2(x, -z) / (2 pi),  v = 0.5 + asin(y) / pi
+ * and the image repeats in u only: the middle is -z, the top +y. */
 typedef struct rsh_texture {
     rsh_uint first_word; /* offset in the texel buffer, in units of 4 bytes */
     rsh_uint width;
