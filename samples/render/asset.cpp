@@ -111,6 +111,8 @@ std::string read_compressed(const std::string& path) {
     archive_entry* entry = nullptr;
     if (archive_read_next_header(a.get(), &entry) != ARCHIVE_OK)
         fail(path, "cannot be unpacked: " + message_of(a.get()));
+    // libarchive hands on what no filter recognizes; the only "filter" then is the file itself.
+    if (archive_filter_count(a.get()) < 2) fail(path, "cannot be unpacked: is not compressed");
     return read_entry(a.get(), path);
 }
 
