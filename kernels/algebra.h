@@ -1,5 +1,5 @@
-/* algebra.h - products and lengths of 3-vectors with every rounding spelled out: the built-in dot,
- * cross and normalize are free to differ between devices. */
+/* algebra.h - products and lengths of 3-vectors with every rounding spelled out: the built-in
+ * dot, cross and normalize are free to differ between devices. */
 #ifndef RSH_ALGEBRA_H
 #define RSH_ALGEBRA_H
 

@@ -8,12 +8,12 @@ typedef struct rsh_dielectric {
     float eta;       /* index of refraction behind the surface / before it                   */
     float cosine;    /* of the angle between viewer and normal; negative where an interpolated
                         normal faces away                                                    */
-    float refracted; /* eta * cosine of the refracted angle; 0 under total internal reflection */
+    float refracted; /* eta * cosine of the refracted angle; 0: total internal reflection     */
 } rsh_dielectric;
 
-/* Snell's law: sin = eta sin', hence (eta cos')^2 = eta^2 - sin^2 = (eta - 1)(eta + 1) + cos^2, a
- * form in which nothing cancels near eta = 1. An index that is not positive and finite counts as
- * 1. */
+/* Snell's law: sin = eta sin', hence (eta cos')^2 = eta^2 - sin^2 = (eta - 1)(eta + 1) + cos^2,
+ * a form in which nothing cancels near eta = 1. An index that is not positive and finite counts
+ * as 1. */
 static rsh_dielectric dielectric_at(const rsh_surface* surface, float index)
 {
     if (!(index > 0.0f) || isinf(index)) index = 1.0f;

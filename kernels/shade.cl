@@ -28,7 +28,8 @@ static float3 texture_colour(const rsh_shape* shape, const rsh_images* images,
     uint corner[3];
     triangle_vertices(shape->mesh, shape->indices, hit.primitive, corner);
     const float2 uv = (1.0f - hit.u - hit.v) * vload2(corner[0], texcoords) +
-                      hit.u * vload2(corner[1], texcoords) + hit.v * vload2(corner[2], texcoords);
+                      hit.u * vload2(corner[1], texcoords) +
+                      hit.v * vload2(corner[2], texcoords);
     return sample_image(images, texture, uv, true);
 #else
     return (float3)(1.0f);

@@ -22,7 +22,8 @@ typedef struct rsh_branch {
     float3 weight;
 } rsh_branch;
 
-static rsh_branch refracted_branch(const rsh_surface* surface, __global const rsh_material* material)
+static rsh_branch refracted_branch(const rsh_surface* surface,
+                                   __global const rsh_material* material)
 {
     const float4 transmission = material->transmission;
     const rsh_dielectric at = dielectric_at(surface, transmission.w);
@@ -33,7 +34,8 @@ static rsh_branch refracted_branch(const rsh_surface* surface, __global const rs
     return branch;
 }
 
-static rsh_branch reflected_branch(const rsh_surface* surface, __global const rsh_material* material)
+static rsh_branch reflected_branch(const rsh_surface* surface,
+                                   __global const rsh_material* material)
 {
     rsh_branch branch;
     branch.side = surface->geometric;
@@ -61,8 +63,8 @@ static bool spawn_ray(const rsh_surface* surface, rsh_branch branch, float min_w
 
 __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
-                        __global const uint* material_ids, __global const rsh_material* materials,
-                        uint material_count, uint ray_count, float min_weight,
+                        __global const uint* material_ids,
+                        __global const rsh_material* materials, uint material_count, uint ray_count, float min_weight,
                         __global const rsh_ray* rays, __global const rsh_hit* hits,
                         __global const float4* weights, __global rsh_ray* spawned_rays,
                         __global float4* spawned_weights, __global uint* active_count)

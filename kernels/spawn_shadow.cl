@@ -7,8 +7,8 @@
 #include "spawned_ray.h"
 #include "stride.h"
 
-/* End of a ray to a light at t = 1: a triangle that the light lies on, at most 16 times as wide as
- * the ray is long, is found at 1 - 2^-16 or later (t errs by 2^-20 of its extent). */
+/* End of a ray to a light at t = 1: a triangle that the light lies on, at most 16 times as wide
+ * as the ray is long, is found at 1 - 2^-16 or later (t errs by 2^-20 of its extent). */
 #define RSH_BEFORE_LIGHT (1.0f - 0x1p-16f)
 
 static bool is_lit(__global const rsh_material* material)
@@ -17,7 +17,8 @@ static bool is_lit(__global const rsh_material* material)
            largest3(fabs(material->specular.xyz)) > 0.0f;
 }
 
-/* False also for a light closer to the surface than the origin's offset: nothing fits between. */
+/* False also for a light closer to the surface than the origin's offset: nothing fits between.
+ */
 static bool shadow_ray(rsh_light light, const rsh_surface* surface, rsh_ray* ray)
 {
     rsh_arrival arrival;

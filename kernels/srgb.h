@@ -1,4 +1,5 @@
-/* srgb.h - linear values of the 256 sRGB codes (IEC 61966-2-1), each rounded to the nearest float:
+/* srgb.h - linear values of the 256 sRGB codes (IEC 61966-2-1), each rounded to the nearest
+ * float:
  *   c = code / 255;  c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055)^2.4
  * A table, because pow may differ between devices and costs more. Does not encode.
  */

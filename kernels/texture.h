@@ -44,8 +44,8 @@ static rsh_neighbours neighbours(float position, uint size, bool repeats)
 /* 0 .. 1, repeating; 0 for what is not finite. */
 static float repeated(float x) { return isfinite(x) ? x - floor(x) : 0.0f; }
 
-/* Rows run downwards from v = 1. Horizontally images repeat, vertically if `repeats`. White: there
- * is no such image, or it has no texel. */
+/* Rows run downwards from v = 1. Horizontally images repeat, vertically if `repeats`. White:
+ * there is no such image, or it has no texel. */
 static float3 sample_image(const rsh_images* images, uint texture, float2 uv, bool repeats)
 {
     if (texture >= images->texture_count) return (float3)(1.0f);
