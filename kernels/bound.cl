@@ -23,7 +23,7 @@ static float3 sphere_centre(rsh_triangle p)
 
 /* Relative error of a length: u for the subtraction, below 2^-20 for safe_length; 2^-124 covers
  * differences that a device flushes to zero. */
-static float outward_radius(rsh_triangle p, float3 centre)
+static float triangle_radius(rsh_triangle p, float3 centre)
 {
     const float radius = fmax(safe_length(p.v0 - centre),
                               fmax(safe_length(p.v1 - centre), safe_length(p.v2 - centre)));
@@ -42,5 +42,5 @@ __kernel void rsh_bound(rsh_mesh mesh, __global const float* vertices,
         return;
     }
     const float3 centre = sphere_centre(p);
-    spheres[i] = (float4)(centre, outward_radius(p, centre));
+    spheres[i] = (float4)(centre, triangle_radius(p, centre));
 }

@@ -67,7 +67,7 @@ static float3 middle_of_apexes(const rsh_cone* child)
 }
 
 /* |apex - centre| errs by u in the difference and 2^-20 in the length, the sum by u. */
-static float outward_radius(const rsh_cone* child, float3 centre)
+static float cone_radius(const rsh_cone* child, float3 centre)
 {
     float radius = 0.0f;
     for (int k = 0; k < 4; ++k)
@@ -82,7 +82,7 @@ static float outward_radius(const rsh_cone* child, float3 centre)
  * vectors that are 6u off in length, products and sums, and cos alpha = sqrt(1 - sin^2) with
  * cos alpha >= 0.05 (error u / 0.1): together below 28u; the padding is 2^-19 = 32u. From 87
  * degrees on, the cone counts as the whole space. */
-static float outward_sine(const rsh_cone* child, float3 axis)
+static float cone_sine(const rsh_cone* child, float3 axis)
 {
     float widest = 0.0f;
     for (int k = 0; k < 4; ++k) {
@@ -117,10 +117,10 @@ static rsh_cone merge(const rsh_node_quad* quad)
 
     rsh_cone parent;
     parent.apex = middle_of_apexes(child);
-    parent.radius = outward_radius(child, parent.apex);
+    parent.radius = cone_radius(child, parent.apex);
     const float length_of_sum = safe_length(sum);
     parent.axis = length_of_sum > 0.1f ? sum / length_of_sum : last.axis;
-    parent.sine = outward_sine(child, parent.axis);
+    parent.sine = cone_sine(child, parent.axis);
     return parent;
 }
 
