@@ -16,8 +16,7 @@ static bool is_positional(rsh_light light)
     return light.kind == RSH_LIGHT_POINT || light.kind == RSH_LIGHT_SPOT;
 }
 
-/* Share of the light's colour left at a distance; a denominator that is not positive leaves
- * none. */
+/* Share of the light's colour left at a distance; none if the divisor is not positive. */
 static float attenuated(float4 attenuation, float distance)
 {
     if (attenuation.x == 0.0f && attenuation.y == 0.0f && attenuation.z == 0.0f) return 1.0f;
@@ -26,8 +25,7 @@ static float attenuated(float4 attenuation, float distance)
     return divisor > 0.0f ? 1.0f / divisor : 0.0f;
 }
 
-/* `cosine` of the angle to the spot's axis. Compared in this order, equal limits are a hard
- * edge. */
+/* `cosine`: to the spot's axis. Compared in this order, equal limits are a hard edge. */
 static float cone_share(rsh_light light, float cosine)
 {
     if (cosine >= light.cos_inner) return 1.0f;

@@ -1,13 +1,13 @@
 /* offset.h - where a ray that leaves a surface starts, so that it does not hit the triangle
- * that it leaves, however the triangle is scaled and wherever it lies.
+ * that it leaves, however the triangle is scaled and wherever it lies. Makes no ray.
  *
  * As Waechter and Binder (Ray Tracing Gems, 2019, chapter 6), the origin moves along the
- * geometric normal n to the side that the ray leaves to. Their distance is 256 ulp of the
- * coordinates, or 1/65536 near zero, constants found by trial in scenes of ordinary size: 1e6
- * away from the origin that is 16 units, and near the origin a triangle 1e6 wide is off by
- * more. Here the distance is bounded from the two errors that it must outweigh (u = 2^-24, L:
- * the triangle's extent, the largest difference of its corners along an axis, p: the point
- * hit).
+ * geometric normal n to the side that the ray leaves to. They found the distance by trial, in
+ * scenes of ordinary size: 256 ulp of the coordinates, or 1/65536 near zero. That is 16 units
+ * where coordinates are 1e6, many times a scene of 1e-6, and too little where a triangle 1e3
+ * wide passes near zero. Here it is bounded from the two errors that it must outweigh
+ * (u = 2^-24; L: the triangle's extent, the largest difference of its corners along an axis;
+ * p: the point hit).
  *
  *  1. Point off the plane. Edges err by u, products by u, their sum by u, and u + v <= 1: the
  *     offset from the corner errs by 3uL on each axis, the sum with the corner by u |p_axis|.

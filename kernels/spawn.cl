@@ -18,9 +18,23 @@
 
 typedef struct rsh_branch {
     float3 direction;
-    float3 side;
+    float3 side; /* geometric normal, towards the side that the ray leaves to */
     float3 weight;
 } rsh_branch;
+
+static bool transmits(__global const rsh_material* material)
+{
+    return RSH_TRANSMISSION && largest3(material->transmission.xyz) > 0.0f;
+}
+
+/* Most surfaces of most scenes send out no ray: known before their triangle is read. */
+static bool may_branch(const rsh_shape* shape, __global const rsh_material* materials,
+                       rsh_hit hit)
+{
+    if (hit.primitive >= shape->mesh.triangle_count) return false;
+    __global const rsh_material* material = materials + material_of(shape, hit.primitive);
+    return transmits(material) || (!RSH_REFRACTED && largest3(material->reflection.xyz) > 0.0f);
+}
 
 static rsh_branch refracted_branch(const rsh_surface* surface,
                                    __global const rsh_material* material)
@@ -41,57 +55,54 @@ static rsh_branch reflected_branch(const rsh_surface* surface,
     branch.side = surface->geometric;
     branch.direction = keep_on_side(reflect_ray(surface), branch.side);
     branch.weight = material->reflection.xyz;
-#if RSH_TRANSMISSION
-    const float4 transmission = material->transmission;
-    if (largest3(transmission.xyz) > 0.0f) {
-        const float share = reflectance(dielectric_at(surface, transmission.w));
+    if (transmits(material)) {
+        const float share = reflectance(dielectric_at(surface, material->transmission.w));
         branch.weight = share + (1.0f - share) * branch.weight;
     }
-#endif
     return branch;
 }
 
-/* True: the ray is worth tracing. */
-static bool spawn_ray(const rsh_surface* surface, rsh_branch branch, float min_weight,
-                      rsh_ray* ray)
+static rsh_branch branch_at(const rsh_surface* surface, __global const rsh_material* material)
 {
-    if (!is_finite3(branch.weight) || !(largest3(branch.weight) > fmax(min_weight, 0.0f)))
-        return false;
-    *ray = ray_from(leave_surface(surface, branch.side), branch.direction, INFINITY);
-    return is_active(*ray);
+    return RSH_REFRACTED ? refracted_branch(surface, material)
+                         : reflected_branch(surface, material);
+}
+
+/* False: whatever the ray saw, it would not change the image. */
+static bool is_worth(float3 weight, float min_weight)
+{
+    return is_finite3(weight) && largest3(weight) > fmax(min_weight, 0.0f);
 }
 
 __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const uint* material_ids,
-                        __global const rsh_material* materials, uint material_count, uint ray_count, float min_weight,
-                        __global const rsh_ray* rays, __global const rsh_hit* hits,
-                        __global const float4* weights, __global rsh_ray* spawned_rays,
-                        __global float4* spawned_weights, __global uint* active_count)
+                        __global const rsh_material* materials, uint material_count,
+                        uint ray_count, float min_weight, __global const rsh_ray* rays,
+                        __global const rsh_hit* hits, __global const float4* weights,
+                        __global rsh_ray* spawned_rays, __global float4* spawned_weights,
+                        __global uint* active_count)
 {
     const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
     const rsh_stride mine = my_elements(ray_count);
     uint active = 0;
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
-        rsh_ray ray = inactive_ray();
+        rsh_ray spawned = inactive_ray();
         float3 weight = (float3)(0.0f);
         rsh_surface surface;
-        if (find_surface(&shape, rays[i], hits[i], &surface)) {
-            __global const rsh_material* material = materials + surface.material;
-#if RSH_REFRACTED
-            rsh_branch branch = refracted_branch(&surface, material);
-#else
-            rsh_branch branch = reflected_branch(&surface, material);
-#endif
-            if (weights) branch.weight *= weights[i].xyz;
-            if (spawn_ray(&surface, branch, min_weight, &ray)) {
-                weight = branch.weight;
+        if (may_branch(&shape, materials, hits[i]) &&
+            find_surface(&shape, rays[i], hits[i], &surface)) {
+            const rsh_branch branch = branch_at(&surface, materials + surface.material);
+            const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
+            const rsh_ray ray = ray_from(leave_surface(&surface, branch.side), branch.direction,
+                                         INFINITY);
+            if (is_worth(product, min_weight) && is_active(ray)) {
+                spawned = ray;
+                weight = product;
                 ++active;
-            } else {
-                ray = inactive_ray();
             }
         }
-        spawned_rays[i] = ray;
+        spawned_rays[i] = spawned;
         spawned_weights[i] = (float4)(weight, 0.0f);
     }
     add_active(active_count, active);

@@ -17,8 +17,7 @@ static bool is_lit(__global const rsh_material* material)
            largest3(fabs(material->specular.xyz)) > 0.0f;
 }
 
-/* False also for a light closer to the surface than the origin's offset: nothing fits between.
- */
+/* False also for a light closer to the surface than the origin's offset. */
 static bool shadow_ray(rsh_light light, const rsh_surface* surface, rsh_ray* ray)
 {
     rsh_arrival arrival;

@@ -32,8 +32,7 @@ typedef struct rsh_surface {
 
 /* Normal of a triangle with counter-clockwise corners, within a few ulp also for slivers: the
  * rounding of the edges, which the cross product would magnify, is put back to first order.
- * Edges are scaled by a power of two, so that products neither overflow nor vanish. 0: no area.
- */
+ * Edges are scaled by a power of two: products neither overflow nor vanish. 0: no area. */
 static float3 triangle_normal(rsh_triangle p)
 {
     float3 rest1, rest2;
@@ -47,8 +46,7 @@ static float3 triangle_normal(rsh_triangle p)
 }
 
 /* The barycentric point, as an offset from a corner: an error of u or v moves it along the
- * triangle only, and the size of the coordinates counts once, in the last sum (see offset.h).
- */
+ * triangle only, and the size of the coordinates counts once, in the last sum; see offset.h. */
 static float3 triangle_point(rsh_triangle p, rsh_hit hit)
 {
     return p.v0 + (hit.u * (p.v1 - p.v0) + hit.v * (p.v2 - p.v0));
