@@ -149,13 +149,13 @@ Model make_room(const RoomOptions& options) {
     add_shell(patches);
     if (options.mirror_sphere)
         add_ball_on_plinth(patches, {-1.75f, 0, -1.3f}, 0.8f, 0.3f, kMirror);
-    if (options.glass) add_ball_on_plinth(patches, {1.3f, 0, 0.75f}, 0.34f, 0.5f, kGlass);
+    if (options.glass) add_ball_on_plinth(patches, {1.15f, 0, 0.7f}, 0.34f, 0.5f, kGlass);
     add_furniture(patches, options);
 
     Model model;
     model.mesh = tessellate(patches, options.triangles);
     model.materials = room_materials(options);
-    model.lights = {lamp({-1.6f, 3.2f, 2.6f}, {0.78f, 0.71f, 0.60f}),
+    model.lights = {lamp({-2.7f, 3.1f, 1.5f}, {0.78f, 0.71f, 0.60f}),
                     lamp({3.6f, 3.3f, -0.6f}, {0.30f, 0.34f, 0.42f})};
     model.camera = room_camera();
     return model;
