@@ -12,10 +12,12 @@ namespace {
 constexpr cl_uint kMaxChunks = 64;       // 4 bytes per tile each: little beside rays and hits
 constexpr cl_uint kChunksPerUnit = 4;    // chunks are unequal work: several per compute unit
 constexpr cl_uint kMinChunkLength = 64;  // triangles
-constexpr cl_ulong kEntriesPerTriangle =
-    4;                                   // by default: small triangles touch 1 to 4 tiles, ...
-constexpr cl_ulong kEntriesPerTile = 4;  // ... and a few in each chunk cover everything
-constexpr cl_ulong kMaxCapacity = 0x7fffffff;
+
+// Room by default: small triangles touch 1 to 4 tiles, and a few in each chunk cover everything.
+constexpr cl_ulong kEntriesPerTriangle = 4;
+constexpr cl_ulong kEntriesPerTile = 4;
+
+constexpr cl_ulong kMaxCapacity = 0x7fffffff;  // the top bit is RSH_UNLISTED of rasterize.cl
 
 bool is_simt(const Context& context) {
     return context.vector_width == 1;

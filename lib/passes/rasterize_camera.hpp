@@ -4,7 +4,7 @@
 
 #include <rsh/rsh.h>
 
-#include "../../kernels/rasterize_types.h"
+#include "rasterize_types.h"
 
 namespace rsh {
 
