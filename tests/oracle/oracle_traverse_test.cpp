@@ -48,11 +48,9 @@ INSTANTIATE_TEST_SUITE_P(All, OracleTraverse, ::testing::ValuesIn(test::all_case
 void expect_no_leak(const test::Mesh& mesh, test::Float3 eye, uint64_t salt) {
     test::Random random(salt);
     const uint32_t side = test::small() ? 16 : 128;
-    test::Rays rays = test::rays_at_edges(random, mesh, side, side);
-    for (rsh_ray& ray : rays.rays) {
-        const test::Float3 scale = test::direction(ray), at = test::origin(ray) + scale;
-        ray = test::make_ray(eye, at - eye);
-    }
+    test::Rays rays = {{}, side, side};
+    for (uint32_t i = 0; i < side * side; ++i)
+        rays.rays.push_back(test::make_ray(eye, test::point_on_edge(random, mesh) - eye));
     for (const cl_uint engine : {RSH_ENGINE_PAPER, RSH_ENGINE_BRUTE_FORCE}) {
         test::TraceOptions options;
         options.engine = engine;

@@ -214,45 +214,56 @@ TEST(Spawn, LeavesOutRaysThatWeighTooLittle) {
     EXPECT_LT(heavy.active, all.active);
 }
 
-TEST(Spawn, CastsShadowRaysToTheLight) {
-    const Scene scene = test::gallery();
-    const Sight sight = look(scene);
-    for (uint32_t k = 0; k < scene.lights.size(); ++k) {
-        test::SpawnOptions options;
-        options.kind = RSH_SPAWN_SHADOW;
-        options.light = k;
-        const auto spawned =
-            test::spawn(test::DeviceScene(scene), sight.rays, sight.hits, options);
-        size_t disagree = 0, active = 0;
-        for (size_t i = 0; i < sight.rays.size(); ++i) {
-            const bool exists = test::is_active(spawned.rays[i]);
-            active += exists;
-            if (sight.hits[i].primitive == RSH_NO_HIT) {
-                ASSERT_FALSE(exists) << "ray " << i << " hits nothing";
-                continue;
-            }
-            const auto surface = oracle::surface_at(scene, sight.rays[i], sight.hits[i]);
-            double distance;
-            const Double3 l = oracle::towards_light(scene.lights[k], surface.point, &distance);
-            disagree += exists != (dot(l, surface.normal) > 0 && dot(l, surface.geometric) > 0);
-            if (!exists) continue;
-            const rsh_ray& ray = spawned.rays[i];
-            ASSERT_LT(max_norm(normalize(Double3(test::direction(ray))) - l), 1e-3)
-                << "ray " << i;
-            ASSERT_EQ(ray.origin_tmin.s[3], 0);
-            if (scene.lights[k].kind == RSH_LIGHT_DIRECTIONAL) continue;
-            const Double3 end = Double3(test::origin(ray)) + Double3(test::direction(ray));
-            ASSERT_LT(length(end - (surface.point + distance * l)), 1e-3)
-                << "t = 1 is not the light";
-            ASSERT_LT(ray.direction_tmax.s[3], 1);
-            ASSERT_GT(ray.direction_tmax.s[3], 0.999f);
+// One shadow ray, where there is one, from the surface to the light.
+void expect_shadow_ray(const rsh_light& light, const oracle::Surface& surface,
+                       const rsh_ray& ray) {
+    double distance;
+    const Double3 l = oracle::towards_light(light, surface.point, &distance);
+    ASSERT_LT(max_norm(normalize(Double3(test::direction(ray))) - l), 1e-3);
+    ASSERT_EQ(ray.origin_tmin.s[3], 0);
+    if (light.kind == RSH_LIGHT_DIRECTIONAL) {
+        ASSERT_EQ(ray.direction_tmax.s[3], INFINITY);
+        return;
+    }
+    const Double3 end = Double3(test::origin(ray)) + Double3(test::direction(ray));
+    ASSERT_LT(length(end - (surface.point + distance * l)), 1e-3) << "t = 1 is not the light";
+    ASSERT_EQ(ray.direction_tmax.s[3], 1 - 0x1p-16f);
+}
+
+void expect_shadow_rays(const Scene& scene, const Sight& sight, uint32_t k) {
+    test::SpawnOptions options;
+    options.kind = RSH_SPAWN_SHADOW;
+    options.light = k;
+    const auto spawned = test::spawn(test::DeviceScene(scene), sight.rays, sight.hits, options);
+    size_t disagree = 0, active = 0;
+    for (size_t i = 0; i < sight.rays.size(); ++i) {
+        SCOPED_TRACE("ray " + std::to_string(i));
+        const bool exists = test::is_active(spawned.rays[i]);
+        active += exists;
+        if (sight.hits[i].primitive == RSH_NO_HIT) {
+            ASSERT_FALSE(exists);
+            continue;
         }
-        // A spot's ray outside of its cone may be left out as well.
-        const bool spot = scene.lights[k].kind == RSH_LIGHT_SPOT;
-        EXPECT_LE(disagree, spot ? sight.rays.size() : sight.rays.size() / 200)
-            << "light " << k;
-        EXPECT_EQ(spawned.active, active);
-        EXPECT_GT(active, 0u);
+        const auto surface = oracle::surface_at(scene, sight.rays[i], sight.hits[i]);
+        disagree += exists !=
+                    (scene.lights[k].casts_shadow && oracle::reaches(scene.lights[k], surface));
+        if (exists) expect_shadow_ray(scene.lights[k], surface, spawned.rays[i]);
+        if (::testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_LE(disagree, sight.rays.size() / 200);
+    EXPECT_EQ(spawned.active, active);
+    EXPECT_EQ(active > 0, scene.lights[k].casts_shadow == 1);
+}
+
+TEST(Spawn, CastsShadowRaysToTheLight) {
+    Scene scene = test::gallery();
+    const Sight sight = look(scene);
+    for (const cl_uint casts : {0u, 1u}) {
+        scene.lights[1].casts_shadow = casts;
+        for (uint32_t k = 0; k < scene.lights.size(); ++k) {
+            SCOPED_TRACE("light " + std::to_string(k));
+            expect_shadow_rays(scene, sight, k);
+        }
     }
 }
 

@@ -49,13 +49,16 @@ void corner_indices(const Scene& scene, uint32_t triangle, uint32_t (&index)[3])
                                               : scene.mesh.indices[3 * triangle + k];
 }
 
+// Repeats in u only: above the topmost texel's centre there is that row again.
 Double3 environment_at(const Scene& scene, Double3 d) {
     const Double3 plain(scene.environment);
     if (scene.environment_texture == 0) return plain;
+    const uint32_t texture = scene.environment_texture - 1;
+    const double half_row = 0.5 / scene.textures[texture].height;
     const Double3 n = normalize(d);
     const double u = 0.5 + std::atan2(n.x, -n.z) / (2 * kPi);
-    const double v = 1 - std::acos(std::clamp(n.y, -1.0, 1.0)) / kPi;
-    return plain * texture_at(scene, scene.environment_texture - 1, u, v);
+    const double v = 0.5 + std::asin(std::clamp(n.y, -1.0, 1.0)) / kPi;
+    return plain * texture_at(scene, texture, u, std::clamp(v, half_row, 1 - half_row));
 }
 
 Double3 arriving(const rsh_light& light, Double3 to_light, double distance) {
@@ -99,6 +102,12 @@ double fresnel(double cos_in, double eta) {
 double eta_of(const Surface& s) {
     const double index = s.material.transmission.s[3];
     return s.from_inside ? index : 1 / index;
+}
+
+// An interpolated normal may send a direction to the wrong side; the plane mirrors it back.
+Double3 kept_on_side(Double3 d, Double3 side) {
+    const double height = dot(d, side);
+    return height < 0 ? d - (2 * height) * side : d;
 }
 
 bool transmits(const rsh_material& m) {
@@ -167,11 +176,18 @@ Double3 towards_light(const rsh_light& light, Double3 point, double* distance) {
     return normalize(way);
 }
 
+bool reaches(const rsh_light& light, const Surface& s) {
+    double distance;
+    const Double3 l = towards_light(light, s.point, &distance);
+    return dot(l, s.normal) > 0 && dot(l, s.geometric) > 0 &&
+           max_norm(arriving(light, l, distance)) > 0;
+}
+
 Secondary reflected(const Surface& s, const rsh_ray& ray) {
     const Double3 d = normalize(Double3(test::direction(ray)));
     const double cosine = -dot(d, s.normal);
     Secondary made;
-    made.direction = normalize(d + (2 * cosine) * s.normal);
+    made.direction = kept_on_side(normalize(d + (2 * cosine) * s.normal), s.geometric);
     made.weight = rgb(s.material.reflection);
     if (transmits(s.material)) {
         const double f = fresnel(std::fabs(cosine), eta_of(s));
@@ -190,7 +206,8 @@ Secondary refracted(const Surface& s, const rsh_ray& ray) {
     made.exists = f < 1;
     if (!made.exists) return made;
     const double cos_out = std::sqrt(1 - eta * eta * (1 - cosine * cosine));
-    made.direction = normalize(eta * d + (eta * cosine - cos_out) * s.normal);
+    made.direction = kept_on_side(normalize(eta * d + (eta * cosine - cos_out) * s.normal),
+                                  -1.0 * s.geometric);
     made.weight = (1 - f) * rgb(s.material.transmission);
     return made;
 }

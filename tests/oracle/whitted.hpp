@@ -1,9 +1,6 @@
 // whitted.hpp - Whitted's shading of one hit in double precision, written from the comments of
 // rsh_material, rsh_light and rsh_texture. Scalar, no acceleration; shares no code with
 // kernels.
-//
-// Where those comments leave a choice: the geometric normal turns towards the ray, the shading
-// normal follows it; texels are decoded before they are interpolated.
 #pragma once
 
 #include "../support/scene.hpp"
@@ -28,6 +25,9 @@ test::Double3 radiance(const test::Scene& scene, const rsh_ray& ray, const rsh_h
 
 // Unit vector towards the light; *distance is infinite for a directional one.
 test::Double3 towards_light(const rsh_light& light, test::Double3 point, double* distance);
+
+// The surface faces the light and is inside of its cone; other geometry does not count.
+bool reaches(const rsh_light& light, const Surface& surface);
 
 struct Secondary {
     bool exists = false;

@@ -182,12 +182,16 @@ Rays grazing_rays(Random& random, const Mesh& mesh, uint32_t width, uint32_t hei
     });
 }
 
+Float3 point_on_edge(Random& random, const Mesh& mesh) {
+    Corners c;
+    const Float3 corner = corner_of(random, mesh, &c);
+    const float along = random.chance(0.3f) ? 0.5f : random.unit();
+    return random.chance(0.5f) ? corner : c[0] + along * (c[1] - c[0]);
+}
+
 Rays rays_at_edges(Random& random, const Mesh& mesh, uint32_t width, uint32_t height) {
     return fill(width, height, [&](uint32_t, uint32_t) {
-        Corners c;
-        const Float3 corner = corner_of(random, mesh, &c);
-        const float along = random.chance(0.3f) ? 0.5f : random.unit();
-        const Float3 at = random.chance(0.5f) ? corner : c[0] + along * (c[1] - c[0]);
+        const Float3 at = point_on_edge(random, mesh);
         const Float3 eye = 4.0f * normalize(random.direction());
         return make_ray(eye, random.chance(0.5f) ? at - eye : 0.3f * (at - eye));
     });

@@ -58,7 +58,10 @@ Rays invalid_rays(Random& random, uint32_t width, uint32_t height);
 // In or nearly in the planes of the mesh's triangles.
 Rays grazing_rays(Random& random, const Mesh& mesh, uint32_t width, uint32_t height);
 
-// At vertices and points of edges of `mesh`, from outside.
+// A vertex, or a rounded point of an edge, of a valid triangle.
+Float3 point_on_edge(Random& random, const Mesh& mesh);
+
+// At such points, from outside.
 Rays rays_at_edges(Random& random, const Mesh& mesh, uint32_t width, uint32_t height);
 
 Rays scaled(Rays rays, float scale, Float3 offset = {});

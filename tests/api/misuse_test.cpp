@@ -1,0 +1,331 @@
+// misuse_test.cpp - a wrong argument gives the status that rsh.h names, a message with the field,
+// the actual and the required value, and enqueues nothing.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "valid_calls.hpp"
+
+namespace {
+
+using test::ValidCalls;
+
+constexpr size_t kAny = ~size_t{0};
+
+// The calls by descriptor type, so that one template tests all of them.
+rsh_status call(const rsh_rasterize_desc* d, cl_event* e) {
+    return rsh_rasterize(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_bound_desc* d, cl_event* e) {
+    return rsh_bound(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_build_desc* d, cl_event* e) {
+    return rsh_build(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_traverse_desc* d, cl_event* e) {
+    return rsh_traverse(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_spawn_desc* d, cl_event* e) {
+    return rsh_spawn(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_shade_desc* d, cl_event* e) {
+    return rsh_shade(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_frame_desc* d, cl_event* e) {
+    return rsh_frame(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+rsh_status call(const rsh_reduce_desc* d, cl_event* e) {
+    return rsh_reduce(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
+
+class Misuse : public ::testing::Test {
+protected:
+    // `break_it` spoils the descriptor; every word must appear in the message.
+    template <class Desc>
+    void refuses(Desc desc, const std::function<void(Desc&)>& break_it, rsh_status status,
+                 const std::vector<std::string>& words) {
+        break_it(desc);
+        cl_event event = nullptr;
+        EXPECT_EQ(call(&desc, &event), status) << words[0] << ": " << rsh_last_error();
+        EXPECT_EQ(event, nullptr) << words[0];
+        const std::string message = rsh_last_error();
+        for (const std::string& word : words)
+            EXPECT_NE(message.find(word), std::string::npos)
+                << word << " is not in: " << message;
+        EXPECT_TRUE(valid_.outputs_untouched()) << words[0];
+    }
+
+    template <class Desc>
+    void refuses_struct_sizes(Desc desc) {
+        EXPECT_EQ(call(static_cast<const Desc*>(nullptr), nullptr), RSH_INVALID_VALUE);
+        EXPECT_NE(std::string(rsh_last_error()).find("NULL"), std::string::npos);
+        for (const size_t size : {size_t{0}, sizeof desc - 1, sizeof desc + 8, kAny})
+            refuses<Desc>(desc, [=](Desc& d) { d.struct_size = size; }, RSH_INVALID_VALUE,
+                          {"struct_size", std::to_string(size), std::to_string(sizeof desc)});
+    }
+
+    test::Buffer<uint32_t> short_{1};
+    ValidCalls valid_;
+};
+
+TEST_F(Misuse, OfStructSizesIsRefusedByEveryCall) {
+    refuses_struct_sizes(valid_.rasterize());
+    refuses_struct_sizes(valid_.bound());
+    refuses_struct_sizes(valid_.build());
+    refuses_struct_sizes(valid_.traverse());
+    refuses_struct_sizes(valid_.spawn());
+    refuses_struct_sizes(valid_.shade());
+    refuses_struct_sizes(valid_.frame());
+    refuses_struct_sizes(valid_.reduce());
+}
+
+TEST_F(Misuse, OfContextAndQueueIsRefused) {
+    const auto desc = valid_.reduce();
+    EXPECT_EQ(rsh_reduce(nullptr, test::device().queue(), &desc, 0, nullptr, nullptr),
+              RSH_INVALID_VALUE);
+    EXPECT_NE(std::string(rsh_last_error()).find("context"), std::string::npos);
+    EXPECT_EQ(rsh_reduce(test::device().rsh, nullptr, &desc, 0, nullptr, nullptr),
+              RSH_INVALID_VALUE);
+    EXPECT_NE(std::string(rsh_last_error()).find("queue"), std::string::npos);
+
+    const cl::Context other(test::device().device);
+    const cl::CommandQueue foreign(other, test::device().device);
+    EXPECT_EQ(rsh_reduce(test::device().rsh, foreign(), &desc, 0, nullptr, nullptr),
+              RSH_INVALID_VALUE);
+    EXPECT_NE(std::string(rsh_last_error()).find("queue"), std::string::npos);
+    EXPECT_TRUE(valid_.outputs_untouched());
+}
+
+TEST_F(Misuse, OfWaitListsIsRefused) {
+    const auto desc = valid_.reduce();
+    cl_event none = nullptr;
+    EXPECT_EQ(
+        rsh_reduce(test::device().rsh, test::device().queue(), &desc, 1, nullptr, nullptr),
+        RSH_INVALID_VALUE);
+    EXPECT_EQ(rsh_reduce(test::device().rsh, test::device().queue(), &desc, 0, &none, nullptr),
+              RSH_INVALID_VALUE);
+    EXPECT_EQ(rsh_reduce(test::device().rsh, test::device().queue(), &desc, 1, &none, nullptr),
+              RSH_INVALID_VALUE);
+    EXPECT_TRUE(valid_.outputs_untouched());
+}
+
+TEST_F(Misuse, OfBuffersOfAnotherContextIsRefused) {
+    const cl::Context other(test::device().device);
+    const cl::Buffer foreign(other, CL_MEM_READ_WRITE, 65536);
+    refuses<rsh_reduce_desc>(valid_.reduce(), [&](auto& d) { d.input = foreign(); },
+                             RSH_INVALID_VALUE, {"input", "context"});
+    refuses<rsh_build_desc>(valid_.build(), [&](auto& d) { d.rays = foreign(); },
+                            RSH_INVALID_VALUE, {"rays", "context"});
+    refuses<rsh_traverse_desc>(valid_.traverse(), [&](auto& d) { d.hits = foreign(); },
+                               RSH_INVALID_VALUE, {"hits", "context"});
+    refuses<rsh_frame_desc>(valid_.frame(), [&](auto& d) { d.colour = foreign(); },
+                            RSH_INVALID_VALUE, {"colour", "context"});
+}
+
+TEST_F(Misuse, OfReduceIsRefused) {
+    using Desc = rsh_reduce_desc;
+    const auto desc = valid_.reduce();
+    for (const cl_uint bytes : {0u, 1u, 5u, 20u, 0xfffffffcu})
+        refuses<Desc>(desc, [=](Desc& d) { d.element_bytes = bytes; }, RSH_INVALID_VALUE,
+                      {"element_bytes", std::to_string(bytes), "16"});
+    refuses<Desc>(desc, [](Desc& d) { d.keep = 2; }, RSH_INVALID_VALUE, {"keep", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.strategy = 99; }, RSH_INVALID_VALUE,
+                  {"strategy", "99"});
+    refuses<Desc>(desc, [](Desc& d) { d.count = 1025; }, RSH_BUFFER_TOO_SMALL,
+                  {"4096", "4100"});
+    refuses<Desc>(desc, [](Desc& d) { d.count = 0xffffffffu; }, RSH_BUFFER_TOO_SMALL,
+                  {"4096", "17179869180"});
+    refuses<Desc>(desc, [](Desc& d) { d.input = nullptr; }, RSH_INVALID_VALUE,
+                  {"input", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.flags = nullptr; }, RSH_INVALID_VALUE,
+                  {"flags", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.output = nullptr; }, RSH_INVALID_VALUE,
+                  {"output", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.output_count = nullptr; }, RSH_INVALID_VALUE,
+                  {"output_count", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.scratch = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"scratch", "4 bytes"});
+}
+
+TEST_F(Misuse, OfGeometryIsRefused) {
+    using Desc = rsh_bound_desc;
+    const auto desc = valid_.bound();
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertices = nullptr; }, RSH_INVALID_VALUE,
+                  {"geometry.vertices", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertex_stride = 8; }, RSH_INVALID_VALUE,
+                  {"vertex_stride", "8", "12"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertex_stride = 14; }, RSH_INVALID_VALUE,
+                  {"vertex_stride", "14"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertices_offset = 2; }, RSH_INVALID_VALUE,
+                  {"vertices_offset", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.indices_offset = 3; }, RSH_INVALID_VALUE,
+                  {"indices_offset", "3"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertices_offset = 4; }, RSH_BUFFER_TOO_SMALL,
+                  {"geometry.vertices"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertices_offset = ~cl_ulong{3}; },
+                  RSH_BUFFER_TOO_SMALL, {"geometry.vertices"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.indices_offset = 4; }, RSH_BUFFER_TOO_SMALL,
+                  {"geometry.indices"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.indices_offset = ~cl_ulong{3}; },
+                  RSH_BUFFER_TOO_SMALL, {"geometry.indices"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertex_count = 0xffffffffu; },
+                  RSH_BUFFER_TOO_SMALL, {"geometry.vertices"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.triangle_count = 1u << 28; },
+                  RSH_INVALID_VALUE, {"triangle_count", "268435456"});
+    refuses<Desc>(desc, [](Desc& d) { d.spheres = nullptr; }, RSH_INVALID_VALUE,
+                  {"spheres", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.spheres = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"spheres", "4"});
+}
+
+TEST_F(Misuse, OfBuildIsRefused) {
+    using Desc = rsh_build_desc;
+    const auto desc = valid_.build();
+    refuses<Desc>(desc, [](Desc& d) { d.width = 16385; }, RSH_INVALID_VALUE,
+                  {"width", "16385", "16384"});
+    refuses<Desc>(desc, [](Desc& d) { d.height = 16385; }, RSH_INVALID_VALUE,
+                  {"height", "16385", "16384"});
+    refuses<Desc>(desc, [](Desc& d) { d.width = (1u << 28) + 1, d.height = 1; },
+                  RSH_INVALID_VALUE, {"width", "268435457"});
+    refuses<Desc>(desc, [](Desc& d) { d.width = 9; }, RSH_BUFFER_TOO_SMALL,
+                  {"rays", "2048", "2304"});
+    refuses<Desc>(desc, [](Desc& d) { d.rays = nullptr; }, RSH_INVALID_VALUE, {"rays", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.nodes = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"nodes", "4"});
+}
+
+TEST_F(Misuse, OfTraverseIsRefused) {
+    using Desc = rsh_traverse_desc;
+    const auto desc = valid_.traverse();
+    refuses<Desc>(desc, [](Desc& d) { d.engine = 77; }, RSH_INVALID_VALUE, {"engine", "77"});
+    refuses<Desc>(desc, [](Desc& d) { d.strategy = 77; }, RSH_INVALID_VALUE,
+                  {"strategy", "77"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = 2; }, RSH_INVALID_VALUE, {"query", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.hits = nullptr; }, RSH_INVALID_VALUE, {"hits", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.budget = RSH_MIN_BUDGET - 1; }, RSH_INVALID_VALUE,
+                  {"budget", "65535", "65536"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ANY; }, RSH_INVALID_VALUE,
+                  {"occlusion", "NULL"});
+    refuses<Desc>(desc,
+                  [&](Desc& d) {
+                      d.query = RSH_QUERY_ANY, d.occlusion = valid_.occlusion.get(),
+                      d.occlusion_bit = 32;
+                  },
+                  RSH_INVALID_VALUE, {"occlusion_bit", "32"});
+    refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_PAPER; }, RSH_INVALID_VALUE,
+                  {"nodes", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.spheres = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"spheres", "4"});
+}
+
+TEST_F(Misuse, OfRasterizeIsRefused) {
+    using Desc = rsh_rasterize_desc;
+    const auto desc = valid_.rasterize();
+    for (const cl_uint side : {0u, 16385u, 0xffffffffu}) {
+        refuses<Desc>(desc, [=](Desc& d) { d.width = side; }, RSH_INVALID_VALUE,
+                      {"width", std::to_string(side), "16384"});
+        refuses<Desc>(desc, [=](Desc& d) { d.height = side; }, RSH_INVALID_VALUE,
+                      {"height", std::to_string(side), "16384"});
+    }
+    refuses<Desc>(desc, [](Desc& d) { d.camera.eye.s[1] = NAN; }, RSH_INVALID_VALUE,
+                  {"camera.eye", "nan"});
+    refuses<Desc>(desc, [](Desc& d) { d.camera.up.s[2] = INFINITY; }, RSH_INVALID_VALUE,
+                  {"camera.up", "inf"});
+    refuses<Desc>(desc,
+                  [](Desc& d) {
+                      d.camera.forward = {{0, 0, 0, 0}};
+                  },
+                  RSH_INVALID_VALUE, {"camera.forward"});
+    refuses<Desc>(desc, [](Desc& d) { d.camera.eye.s[3] = NAN; }, RSH_INVALID_VALUE,
+                  {"near", "nan"});
+    refuses<Desc>(desc, [](Desc& d) { d.camera.forward.s[3] = NAN; }, RSH_INVALID_VALUE,
+                  {"far", "nan"});
+    refuses<Desc>(desc, [&](Desc& d) { d.rays = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"rays", "4", "2048"});
+    refuses<Desc>(desc, [&](Desc& d) { d.hits = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"hits", "4", "1024"});
+}
+
+TEST_F(Misuse, OfSpawnAndShadeIsRefused) {
+    using Spawn = rsh_spawn_desc;
+    using Shade = rsh_shade_desc;
+    const auto spawn = valid_.spawn();
+    const auto shade = valid_.shade();
+    refuses<Spawn>(spawn, [](Spawn& d) { d.kind = 3; }, RSH_INVALID_VALUE, {"kind", "3"});
+    refuses<Spawn>(spawn, [](Spawn& d) { d.scene = nullptr; }, RSH_INVALID_VALUE,
+                   {"scene", "NULL"});
+    refuses<Spawn>(spawn, [](Spawn& d) { d.kind = RSH_SPAWN_SHADOW, d.light = 3; },
+                   RSH_INVALID_VALUE, {"light", "3"});
+    refuses<Spawn>(spawn, [](Spawn& d) { d.min_weight = -1; }, RSH_INVALID_VALUE,
+                   {"min_weight", "-1"});
+    refuses<Spawn>(spawn, [](Spawn& d) { d.ray_count = 65; }, RSH_BUFFER_TOO_SMALL,
+                   {"rays", "2048", "2080"});
+    refuses<Shade>(shade, [](Shade& d) { d.colour = nullptr; }, RSH_INVALID_VALUE,
+                   {"colour", "NULL"});
+    refuses<Shade>(shade, [](Shade& d) { d.ray_count = 0xffffffffu; }, RSH_BUFFER_TOO_SMALL,
+                   {"rays"});
+    refuses<Shade>(shade, [&](Shade& d) { d.occlusion = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                   {"occlusion", "4", "256"});
+}
+
+TEST_F(Misuse, OfScenesAndFramesIsRefused) {
+    using Desc = rsh_frame_desc;
+    const auto desc = valid_.frame();
+    const auto refuses_scene = [&](const std::function<void(rsh_scene&)>& break_it,
+                                   rsh_status status, const std::vector<std::string>& words) {
+        rsh_scene scene = valid_.scene.desc;
+        break_it(scene);
+        refuses<Desc>(
+            desc, [&](Desc& d) { d.scene = &scene; }, status, words);
+    };
+    refuses_scene([](rsh_scene& s) { s.struct_size = 4; }, RSH_INVALID_VALUE,
+                  {"scene.struct_size", "4"});
+    refuses_scene([](rsh_scene& s) { s.material_count = 0; }, RSH_INVALID_VALUE,
+                  {"material_count", "0", "1"});
+    refuses_scene([](rsh_scene& s) { s.materials = nullptr; }, RSH_INVALID_VALUE,
+                  {"materials", "NULL"});
+    refuses_scene([](rsh_scene& s) { s.light_count = 33; }, RSH_INVALID_VALUE,
+                  {"light_count", "33", "32"});
+    refuses_scene([](rsh_scene& s) { s.lights = nullptr; }, RSH_INVALID_VALUE,
+                  {"lights", "NULL"});
+    refuses_scene([](rsh_scene& s) { s.features = 0x40; }, RSH_INVALID_VALUE,
+                  {"features", "64"});
+    refuses_scene([](rsh_scene& s) { s.environment_texture = 3; }, RSH_INVALID_VALUE,
+                  {"environment_texture", "3"});
+    refuses_scene([](rsh_scene& s) { s.normals = nullptr; }, RSH_INVALID_VALUE,
+                  {"normals", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.width = 0; }, RSH_INVALID_VALUE, {"width", "0"});
+    refuses<Desc>(desc, [](Desc& d) { d.height = 9; }, RSH_BUFFER_TOO_SMALL,
+                  {"colour", "1024", "1152"});
+    refuses<Desc>(desc, [](Desc& d) { d.bounces = 17; }, RSH_INVALID_VALUE,
+                  {"bounces", "17", "16"});
+    refuses<Desc>(desc, [](Desc& d) { d.min_weight = NAN; }, RSH_INVALID_VALUE,
+                  {"min_weight", "nan"});
+    refuses<Desc>(desc, [](Desc& d) { d.engine = 9; }, RSH_INVALID_VALUE, {"engine", "9"});
+    refuses<Desc>(desc, [](Desc& d) { d.budget = 1; }, RSH_INVALID_VALUE, {"budget", "1"});
+}
+
+TEST_F(Misuse, OfQueriesAndContextsIsRefused) {
+    rsh_sizes sizes = {};
+    auto desc = valid_.reduce();
+    EXPECT_EQ(rsh_reduce_query(test::device().rsh, &desc, nullptr), RSH_INVALID_VALUE);
+    EXPECT_EQ(rsh_reduce_query(test::device().rsh, &desc, &sizes), RSH_INVALID_VALUE);
+    EXPECT_NE(std::string(rsh_last_error()).find("struct_size"), std::string::npos);
+
+    rsh_context context = nullptr;
+    rsh_context_desc create = {};
+    create.struct_size = sizeof create;
+    EXPECT_EQ(rsh_create_context(nullptr, &context), RSH_INVALID_VALUE);
+    EXPECT_EQ(rsh_create_context(&create, nullptr), RSH_INVALID_VALUE);
+    EXPECT_EQ(rsh_create_context(&create, &context), RSH_INVALID_VALUE);
+    create.context = test::device().context();
+    create.device = test::device().device();
+    create.vector_width = 3;
+    EXPECT_EQ(rsh_create_context(&create, &context), RSH_INVALID_VALUE);
+    EXPECT_NE(std::string(rsh_last_error()).find("vector_width"), std::string::npos)
+        << rsh_last_error();
+    EXPECT_EQ(context, nullptr);
+    rsh_release_context(nullptr);
+}
+
+}  // namespace

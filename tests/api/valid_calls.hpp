@@ -1,0 +1,44 @@
+// valid_calls.hpp - one valid descriptor per call over small shared buffers: a misuse test breaks
+// one field of it. Output buffers hold canaries, so that a call that enqueued anything shows.
+#pragma once
+
+#include "../support/render.hpp"
+#include "../support/trace.hpp"
+
+namespace test {
+
+constexpr uint32_t kSide = 8;
+constexpr uint32_t kRays = kSide * kSide;
+
+struct ValidCalls {
+    Scene host = gallery();
+    DeviceScene scene{host};
+    Rays ray_list = pinhole_rays(kSide, kSide);
+    Buffer<rsh_ray> rays{ray_list.rays};
+    Buffer<rsh_ray> out_rays{kRays};
+    Buffer<rsh_hit> in_hits{std::vector<rsh_hit>(kRays, rsh_hit{1, 0, 0, 0})};
+    Buffer<rsh_hit> hits{kRays};
+    Buffer<uint32_t> occlusion{kRays};
+    Buffer<cl_float4> colour{kRays};
+    Buffer<cl_float4> weights{kRays};
+    Buffer<cl_float4> spheres{host.mesh.triangle_count()};
+    Buffer<rsh_node_quad> nodes{64};
+    Buffer<uint32_t> words{std::vector<uint32_t>(1024, 7)};
+    Buffer<uint8_t> flags{std::vector<uint8_t>(1024, 1)};
+    Buffer<uint32_t> packed{1024};
+    Buffer<uint32_t> count{1};
+
+    rsh_rasterize_desc rasterize() const;
+    rsh_bound_desc bound() const;
+    rsh_build_desc build() const;
+    rsh_traverse_desc traverse() const;  // brute force: needs no nodes
+    rsh_spawn_desc spawn() const;
+    rsh_shade_desc shade() const;
+    rsh_frame_desc frame() const;
+    rsh_reduce_desc reduce() const;
+
+    // No output buffer was written.
+    ::testing::AssertionResult outputs_untouched() const;
+};
+
+}  // namespace test
