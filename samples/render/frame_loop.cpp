@@ -36,16 +36,17 @@ RenderSettings render_settings(const Options& options, const SceneSettings& scen
     return s;
 }
 
-// Evenly spaced from the start of the scene's time to its end, both included.
+// Evenly spaced from the start of the scene's time to its end, both included; a single one is the
+// scene's still.
 std::vector<double> frame_times(const Options& options, const SceneSettings& scene,
                                 const World& world) {
     const Interval span = scene.time.value_or(world.time_span());
     if (options.time) return {*options.time};
     const int count = options.frames.value_or(scene.frames.value_or(1));
+    if (count == 1) return {scene.still.value_or(span.start)};
     std::vector<double> times;
     for (int i = 0; i < count; ++i)
-        times.push_back(count == 1 ? span.start
-                                   : span.start + (span.end - span.start) * i / (count - 1));
+        times.push_back(span.start + (span.end - span.start) * i / (count - 1));
     return times;
 }
 

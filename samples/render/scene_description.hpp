@@ -57,6 +57,7 @@ struct SceneSettings {
     std::optional<float> min_weight;
     std::optional<int> frames;
     std::optional<Interval> time;
+    std::optional<double> still;  // moment of a single picture
 };
 
 struct SceneDescription {

@@ -60,6 +60,7 @@ void merge(SceneDescription& merged, SceneDescription&& next) {
     keep_first(merged.settings.min_weight, std::move(next.settings.min_weight));
     keep_first(merged.settings.frames, std::move(next.settings.frames));
     keep_first(merged.settings.time, std::move(next.settings.time));
+    keep_first(merged.settings.still, std::move(next.settings.still));
 }
 
 nlohmann::json parse_json(const std::string& text, const std::string& file) {

@@ -80,7 +80,7 @@ std::vector<Light> lights(const JsonValue& value) {
 }
 
 SceneSettings settings(const JsonValue& value) {
-    value.allow_keys({"size", "bounces", "min_weight", "frames", "time"});
+    value.allow_keys({"size", "bounces", "min_weight", "frames", "time", "still"});
     SceneSettings settings;
     if (auto v = value.find("size")) {
         const auto sides = v->items();
@@ -91,6 +91,7 @@ SceneSettings settings(const JsonValue& value) {
     if (auto v = value.find("bounces")) settings.bounces = v->integer_in(0, RSH_MAX_LEVELS);
     if (auto v = value.find("min_weight")) settings.min_weight = v->number_in(0, 1);
     if (auto v = value.find("frames")) settings.frames = v->integer_in(1, 1000000);
+    if (auto v = value.find("still")) settings.still = v->number();
     if (auto v = value.find("time")) {
         const auto ends = v->items();
         if (ends.size() != 2) v->fail("an array of start and end");
