@@ -1,4 +1,5 @@
-/* cone_sphere.h - may a ray of a node meet a sphere? Four sibling nodes at a time.
+/* cone_sphere.h - may a ray of a node meet a sphere? Four sibling nodes against a sphere, or several
+ * such quads and their spheres at once.
  *
  * A node's rays lie in its cone (apex C, axis x, half-angle a) grown by its radius, so the bare
  * cone is tested against a sphere of radius S = sum of both radii. With w = centre - C:
@@ -9,12 +10,14 @@
  *      +-----------> z
  *
  * Roger et al. 2007 test the side only, from an apex moved back by S / sin a; the second case
- * rejects spheres behind the origins as well and costs one comparison.
+ * rejects spheres behind the origins as well and costs one comparison. Squares are compared, with
+ * cos^2 a = 1 - sin^2 a, so that no root is taken.
  *
- * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, cos a = sqrt(1 - sin^2) 10u down to cos a = 0.05, products
- * 2u|w|: 20u|w| at most, that is 2^-19.6 |w|. A hit that intersect.h reports can lie 2^-20 |v| off,
- * with |v| <= |w| + S. The padding 2^-18 (|w|_1 + S) is larger than both together, and what cannot
- * be compared (overflow, NaN) is kept.
+ * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, cos a from 1 - sin^2 10u down to cos a = 0.05, products
+ * and squares 4u|w|: 21u|w| at most, that is 2^-19.6 |w|. A hit that intersect.h reports can lie
+ * 2^-20 |v| off, with |v| <= |w| + S. The padding 2^-18 (|w|_1 + S) is larger than both together.
+ * Underflow and rounding are monotonic and cannot turn the comparison round; what overflows or is
+ * NaN is kept.
  */
 #ifndef RSH_CONE_SPHERE_H
 #define RSH_CONE_SPHERE_H
@@ -22,27 +25,47 @@
 #include "kernel_types.h"
 #include "vector.h"
 
-static int4 may_meet(const rsh_node_quad* node, float4 sphere)
+/* Nodes and spheres, lane by lane: the arguments of the test. */
+#define RSH_DEFINE_CONE_SPHERE(name, F, I)                                                    \
+    typedef struct name##_lanes {                                                             \
+        F apex_x, apex_y, apex_z, radius, axis_x, axis_y, axis_z, sine;                       \
+        F centre_x, centre_y, centre_z, centre_radius;                                        \
+    } name##_lanes;                                                                           \
+    static I name(const name##_lanes* l)                                                      \
+    {                                                                                         \
+        const F wx = l->centre_x - l->apex_x;                                                 \
+        const F wy = l->centre_y - l->apex_y;                                                 \
+        const F wz = l->centre_z - l->apex_z;                                                 \
+        const F z = wx * l->axis_x + wy * l->axis_y + wz * l->axis_z;                         \
+        const F nx = wy * l->axis_z - wz * l->axis_y;                                         \
+        const F ny = wz * l->axis_x - wx * l->axis_z;                                         \
+        const F nz = wx * l->axis_y - wy * l->axis_x;                                         \
+        const F q2 = nx * nx + ny * ny + nz * nz;                                             \
+        const F z2 = z * z;                                                                   \
+        const F sine2 = l->sine * l->sine;                                                    \
+        const F cosine2 = 1.0f - sine2;                                                       \
+        const F sum = l->radius + l->centre_radius;                                           \
+        const F reach = sum + 0x1p-18f * (fabs(wx) + fabs(wy) + fabs(wz) + sum);              \
+        const F side = z * l->sine + reach;                                                   \
+        const I is_behind = (z < 0.0f) & (q2 * sine2 < z2 * cosine2);                         \
+        const I far_side = (side < 0.0f) | (q2 * cosine2 > side * side);                      \
+        const I far_apex = q2 + z2 > reach * reach;                                           \
+        const I is_far = ((is_behind & far_apex) | ((is_behind == 0) & far_side)) &           \
+                         (q2 + z2 < INFINITY);                                                \
+        return (l->radius >= 0.0f) & (l->centre_radius >= 0.0f) &                             \
+               ((l->sine > 1.0f) | (is_far == 0));                                            \
+    }
+
+RSH_DEFINE_CONE_SPHERE(quad_meets, float4, int4)
+
+/* Bit k: child k of the quad may meet the sphere. */
+static uint children_that_meet(__global const rsh_node_quad* quad, float4 sphere)
 {
-    const float4 wx = sphere.x - node->apex_x;
-    const float4 wy = sphere.y - node->apex_y;
-    const float4 wz = sphere.z - node->apex_z;
-    const float4 z = wx * node->axis_x + wy * node->axis_y + wz * node->axis_z;
-    const float4 nx = wy * node->axis_z - wz * node->axis_y;
-    const float4 ny = wz * node->axis_x - wx * node->axis_z;
-    const float4 nz = wx * node->axis_y - wy * node->axis_x;
-    const float4 q = sqrt(nx * nx + ny * ny + nz * nz);
-    const float4 sine = node->sine;
-    const float4 cosine = sqrt(fmax((float4)(0.0f), 1.0f - sine * sine));
-
-    const float4 to_side = q * cosine - z * sine;
-    const float4 to_apex = sqrt(wx * wx + wy * wy + wz * wz);
-    const float4 distance = select(to_side, to_apex, z * cosine + q * sine < 0.0f);
-    const float4 reach = node->radius + sphere.w;
-    const float4 padding = 0x1p-18f * (fabs(wx) + fabs(wy) + fabs(wz) + reach);
-
-    const int4 is_far = (distance > reach + padding) & (distance < INFINITY);
-    return (node->radius >= 0.0f) & ((sine > 1.0f) | (is_far == 0));
+    const quad_meets_lanes lanes = {
+        quad->apex_x, quad->apex_y, quad->apex_z, quad->radius, quad->axis_x, quad->axis_y,
+        quad->axis_z, quad->sine, sphere.x, sphere.y, sphere.z, sphere.w};
+    const int4 meets = quad_meets(&lanes) & (int4)(1, 2, 4, 8);
+    return (uint)(meets.x | meets.y | meets.z | meets.w);
 }
 
 #endif

@@ -22,15 +22,6 @@ static void add_waiting(const rsh_target* target, rsh_waiting* waiting, rsh_pair
     waiting->count = 0;
 }
 
-/* Bit k: child k of `node` may meet the sphere. */
-static uint surviving_children(const rsh_levels* levels, uint level, uint node, float4 sphere,
-                               __global const rsh_node_quad* quads)
-{
-    const rsh_node_quad quad = quads[levels->first_quad[level] + node];
-    const int4 keep = may_meet(&quad, sphere) & (int4)(1, 2, 4, 8);
-    return (uint)(keep.x | keep.y | keep.z | keep.w);
-}
-
 static void walk(const rsh_target* target, const rsh_levels* levels, uint level, rsh_pair pair,
                  float4 sphere, __global const rsh_node_quad* quads, rsh_waiting* waiting)
 {
@@ -38,7 +29,7 @@ static void walk(const rsh_target* target, const rsh_levels* levels, uint level,
     uint todo[RSH_MAX_LEVELS];  /* its children still to visit */
     uint l = level;
     node[l] = pair.node;
-    todo[l] = surviving_children(levels, l, pair.node, sphere, quads);
+    todo[l] = children_that_meet(quads + levels->first_quad[l] + pair.node, sphere);
     while (true) {
         if (todo[l] == 0) {
             if (l == level) return;
@@ -54,7 +45,7 @@ static void walk(const rsh_target* target, const rsh_levels* levels, uint level,
         }
         --l;
         node[l] = child;
-        todo[l] = surviving_children(levels, l, child, sphere, quads);
+        todo[l] = children_that_meet(quads + levels->first_quad[l] + child, sphere);
     }
 }
 

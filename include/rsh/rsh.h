@@ -254,7 +254,7 @@ RSH_API rsh_status rsh_rasterize_query(rsh_context context, const rsh_rasterize_
  *          that rsh_traverse finds for these rays: shared edges neither crack nor overlap.
  * Limits:  one sample per pixel; triangles across the near plane are clipped by tmin.
  * Errors:  RSH_INVALID_VALUE (camera not finite, no direction), RSH_BUFFER_TOO_SMALL.
- * Cost:    O(triangles + pixels * triangles that cover them); four launches. */
+ * Cost:    O(triangles + pixels * triangles that cover them); three launches. */
 RSH_API rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
                                  const rsh_rasterize_desc* desc, cl_uint wait_count,
                                  const cl_event* wait_list, cl_event* done);
