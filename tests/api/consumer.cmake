@@ -1,6 +1,7 @@
 # consumer.cmake - installs the build tree into a folder of its own, moves that folder, builds the
 # consumer against it and runs both programs.
 #   -D BUILD=... build tree   -D SOURCE=... consumer   -D WORK=... scratch folder   -D LIBDIR=lib
+cmake_minimum_required(VERSION 3.21)
 function(run)
     execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
     if(NOT result EQUAL 0)

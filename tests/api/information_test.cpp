@@ -2,6 +2,7 @@
 // derives from a scene.
 #include <gtest/gtest.h>
 
+#include <climits>
 #include <cstdlib>
 #include <set>
 

@@ -17,7 +17,8 @@ static int pack(rsh_context rsh, cl_context context, cl_command_queue queue)
     cl_uint output[6] = {9, 9, 9, 9, 9, 9};
     cl_uint count = 0;
     const cl_mem_flags copy = CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR;
-    rsh_reduce_desc desc = {sizeof(rsh_reduce_desc)};
+    rsh_reduce_desc desc = {0};
+    desc.struct_size = sizeof desc;
     desc.element_bytes = 4;
     desc.count = 6;
     desc.input = clCreateBuffer(context, copy, sizeof input, input, NULL);
@@ -39,10 +40,11 @@ static int pack(rsh_context rsh, cl_context context, cl_command_queue queue)
 int main(void)
 {
     cl_platform_id platform = NULL;
-    rsh_context_desc desc = {sizeof(rsh_context_desc)};
+    rsh_context_desc desc = {0};
     rsh_context rsh = NULL;
     cl_command_queue queue;
     int wrong;
+    desc.struct_size = sizeof desc;
     if (rsh_version() != RSH_VERSION) return fail("header and library differ");
     if (rsh_find_device(NULL, &platform, &desc.device) != RSH_SUCCESS) return fail("rsh_find_device");
     desc.context = clCreateContext(NULL, 1, &desc.device, NULL, NULL, NULL);

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# install_packages.sh - installs what is missing on Debian 12 to build and run rsh:
+#   install_packages.sh library|samples|tests
+# Each set contains the ones before it. Does nothing, and needs no root, when nothing is missing.
+set -euo pipefail
+
+library=(build-essential cmake ninja-build pkg-config ca-certificates
+    ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers pocl-opencl-icd)
+samples=("${library[@]}" libopenmesh-dev libopenimageio-dev libglm-dev libcli11-dev
+    libfmt-dev libarchive-dev nlohmann-json3-dev)
+tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind)
+
+case "${1:-}" in
+    library) packages=("${library[@]}") ;;
+    samples) packages=("${samples[@]}") ;;
+    tests) packages=("${tests[@]}") ;;
+    *)
+        echo "usage: $0 library|samples|tests, found \"${1:-}\"" >&2
+        exit 2
+        ;;
+esac
+
+missing=()
+for package in "${packages[@]}"; do
+    status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+    [ "$status" = "install ok installed" ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then exit 0; fi
+
+echo "installing ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
