@@ -124,7 +124,10 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
         if (entry_.is_smooth) rest_.mesh.normals = smooth_normals(rest_.mesh);
         transform_ = static_transform(entry_, rest_.mesh);
     } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("{}: {}", entry_.where, error.what()));
+        // A mesh on the command line is its own place, which its loader has named already.
+        const std::string message = error.what();
+        if (message.rfind(entry_.where, 0) == 0) throw;
+        throw std::runtime_error(fmt::format("{}: {}", entry_.where, message));
     }
     change_materials(entry_, rest_.materials);
     placed_ = rest_;

@@ -155,8 +155,8 @@ Model make_room(const RoomOptions& options) {
     Model model;
     model.mesh = tessellate(patches, options.triangles);
     model.materials = room_materials(options);
-    model.lights = {lamp({-2.7f, 3.1f, 1.5f}, {0.78f, 0.71f, 0.60f}),
-                    lamp({3.6f, 3.3f, -0.6f}, {0.30f, 0.34f, 0.42f})};
+    model.lights = {lamp({-2.6f, 3.1f, 1.9f}, {0.88f, 0.80f, 0.68f}),
+                    lamp({3.6f, 3.3f, -0.6f}, {0.20f, 0.23f, 0.29f})};
     model.camera = room_camera();
     return model;
 }
