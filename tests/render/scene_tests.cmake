@@ -14,3 +14,5 @@ target_link_libraries(rsh_scene_tests PRIVATE
     rsh_scene GTest::gtest_main LibArchive::LibArchive)
 rsh_warnings(rsh_scene_tests)
 gtest_discover_tests(rsh_scene_tests PROPERTIES TIMEOUT 300)
+
+add_test(NAME Minimal.HitsTheTriangle COMMAND rsh-minimal)
