@@ -35,7 +35,7 @@ static void test_pairs(const rsh_levels* levels, uint level, const rsh_pair* pai
     __global const rsh_node_quad* q[RSH_PAIRS];
     float4 s[RSH_PAIRS];
     for (uint i = 0; i < RSH_PAIRS; ++i) {
-        q[i] = quads + levels->first_quad[level] + pairs[i].node;
+        q[i] = quads + quad_index(levels, level, pairs[i].node);
         s[i] = spheres[pairs[i].triangle];
     }
     const quads_meet_lanes lanes = {
@@ -56,10 +56,8 @@ static void write_children(const rsh_levels* levels, uint level, rsh_pair pair, 
 {
     const uint4 triangle = select((uint4)(RSH_NO_HIT), (uint4)(pair.triangle),
                                   as_uint4(vload4(0, survives)));
-    const uint first = child_index(levels, level, pair.node, 0);
-    const uint third = child_index(levels, level, pair.node, 2);
-    vstore8((uint8)(triangle.x, first, triangle.y, first + 1, triangle.z, third, triangle.w,
-                    third + 1),
+    const uint4 node = child_names(levels, level, pair.node);
+    vstore8((uint8)(triangle.x, node.x, triangle.y, node.y, triangle.z, node.z, triangle.w, node.w),
             at, candidates);
 }
 

@@ -29,7 +29,7 @@ static void walk(const rsh_target* target, const rsh_levels* levels, uint level,
     uint todo[RSH_MAX_LEVELS];  /* its children still to visit */
     uint l = level;
     node[l] = pair.node;
-    todo[l] = children_that_meet(quads + levels->first_quad[l] + pair.node, sphere);
+    todo[l] = children_that_meet(quads + quad_index(levels, l, pair.node), sphere);
     while (true) {
         if (todo[l] == 0) {
             if (l == level) return;
@@ -38,14 +38,15 @@ static void walk(const rsh_target* target, const rsh_levels* levels, uint level,
         }
         const uint k = popcount((todo[l] & -todo[l]) - 1); /* lowest bit */
         todo[l] &= todo[l] - 1;
-        const uint child = child_index(levels, l, node[l], k);
+        const uint4 names = child_names(levels, l, node[l]);
+        const uint child = k < 2 ? (k == 0 ? names.x : names.y) : (k == 2 ? names.z : names.w);
         if (l == 0) {
             add_waiting(target, waiting, (rsh_pair){pair.triangle, child});
             continue;
         }
         --l;
         node[l] = child;
-        todo[l] = children_that_meet(quads + levels->first_quad[l] + child, sphere);
+        todo[l] = children_that_meet(quads + quad_index(levels, l, child), sphere);
     }
 }
 

@@ -64,7 +64,7 @@ RSH_ASSERT_SIZE(rsh_hit, 16);
 /* Element of the stream that the traversal works on. */
 typedef struct rsh_pair {
     rsh_uint triangle; /* RSH_NO_HIT: the pair did not survive */
-    rsh_uint node;     /* index in its level; a ray at level 0 */
+    rsh_uint node;     /* in a grid row * 65536 + column, in a list the index; at level 0 the ray */
 } rsh_pair;
 RSH_ASSERT_SIZE(rsh_pair, 8);
 
