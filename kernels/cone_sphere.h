@@ -1,5 +1,5 @@
-/* cone_sphere.h - may a ray of a node meet a sphere? Four sibling nodes against a sphere, or several
- * such quads and their spheres at once.
+/* cone_sphere.h - may a ray of a node meet a sphere? Any number of nodes and spheres at once,
+ * a lane each.
  *
  * A node's rays lie in its cone (apex C, axis x, half-angle a) grown by its radius, so the bare
  * cone is tested against a sphere of radius S = sum of both radii. With w = centre - C:
@@ -55,17 +55,5 @@
         return (l->radius >= 0.0f) & (l->centre_radius >= 0.0f) &                             \
                ((l->sine > 1.0f) | (is_far == 0));                                            \
     }
-
-RSH_DEFINE_CONE_SPHERE(quad_meets, float4, int4)
-
-/* Bit k: child k of the quad may meet the sphere. */
-static uint children_that_meet(__global const rsh_node_quad* quad, float4 sphere)
-{
-    const quad_meets_lanes lanes = {
-        quad->apex_x, quad->apex_y, quad->apex_z, quad->radius, quad->axis_x, quad->axis_y,
-        quad->axis_z, quad->sine, sphere.x, sphere.y, sphere.z, sphere.w};
-    const int4 meets = quad_meets(&lanes) & (int4)(1, 2, 4, 8);
-    return (uint)(meets.x | meets.y | meets.z | meets.w);
-}
 
 #endif
