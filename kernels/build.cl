@@ -35,6 +35,25 @@ static rsh_cone ray_cone(rsh_ray ray)
     return (rsh_cone){ray.origin_tmin.xyz, 0.0f, axis, is_exact ? RSH_LEAF_SINE : 2.0f};
 }
 
+/* The same ray from its point at t = 1 backwards: rays that run towards one point make the
+ * thinnest cones there. Every point with t <= 1 lies that way; other rays go anywhere. The radius
+ * makes up for the sum, which rounds by u per component, and for the hits of intersect.h: those
+ * are off by 2^-20 of their distance to the origin, which is the direction's length more than
+ * the distance to the apex that cone_sphere.h allows for. */
+static rsh_cone reversed_cone(rsh_ray ray)
+{
+    rsh_cone cone = ray_cone(ray);
+    if (cone.radius < 0.0f) return cone;
+    const float3 end = ray.origin_tmin.xyz + ray.direction_tmax.xyz;
+    if (!(ray.direction_tmax.w <= 1.0f) || !is_finite3(end)) cone.sine = 2.0f;
+    if (cone.sine > 1.0f) return cone;
+    cone.radius = 0x1p-22f * (fabs(end.x) + fabs(end.y) + fabs(end.z)) +
+                  0x1p-19f * safe_length(ray.direction_tmax.xyz) + 0x1p-124f;
+    cone.apex = end;
+    cone.axis = -cone.axis;
+    return cone;
+}
+
 static rsh_cone quad_member(const rsh_node_quad* quad, uint k)
 {
     const float* f = (const float*)quad;
@@ -124,16 +143,22 @@ static rsh_cone merge(const rsh_node_quad* quad)
     return parent;
 }
 
+static rsh_cone leaf(const rsh_levels* levels, __global const rsh_ray* rays, uint is_converging,
+                     uint parent, uint k)
+{
+    if (!child_exists(levels, 0, parent, k)) return RSH_NO_CONE;
+    const rsh_ray ray = rays[child_index(levels, 0, parent, k)];
+    return is_converging ? reversed_cone(ray) : ray_cone(ray);
+}
+
 __kernel void rsh_build_leaves(rsh_levels levels, __global const rsh_ray* rays,
-                               __global rsh_node_quad* quads)
+                               uint is_converging, __global rsh_node_quad* quads)
 {
     const uint i = get_global_id(0);
     if (i >= levels.width[1] * levels.height[1]) return;
     rsh_node_quad quad;
     for (uint k = 0; k < 4; ++k)
-        set_quad_member(&quad, k,
-                        child_exists(&levels, 0, i, k) ? ray_cone(rays[child_index(&levels, 0, i, k)])
-                                                       : RSH_NO_CONE);
+        set_quad_member(&quad, k, leaf(&levels, rays, is_converging, i, k));
     quads[levels.first_quad[0] + i] = quad;
 }
 

@@ -35,8 +35,11 @@ void find_features(rsh_scene& scene, const rsh_material* materials, const rsh_li
     for (cl_uint i = 0; i < scene.material_count; ++i)
         scene.features |= needed_by(materials[i], scene);
     scene.shadow_lights = 0;
-    for (cl_uint k = 0; k < scene.light_count; ++k)
+    scene.positional_lights = 0;
+    for (cl_uint k = 0; k < scene.light_count; ++k) {
         if (lights[k].casts_shadow) scene.shadow_lights |= 1u << k;
+        if (lights[k].kind != RSH_LIGHT_DIRECTIONAL) scene.positional_lights |= 1u << k;
+    }
     if (scene.shadow_lights != 0) scene.features |= RSH_FEATURE_SHADOW;
     scene.features &= provided_by_buffers(scene);
 }

@@ -62,7 +62,7 @@ private:
         for (cl_uint light = 0; light < desc_.scene->light_count; ++light) {
             if (!(desc_.scene->shadow_lights >> light & 1)) continue;
             spawn(recorder_, memory_.spawn_shadow(bounce, light));
-            build(recorder_, memory_.build_shadow());
+            build(recorder_, memory_.build_shadow(light));
             traverse(memory_.traverse_shadow(light));
         }
         count_later([bounce](rsh_statistics& sums, const cl_uint* count) {

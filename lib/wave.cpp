@@ -97,7 +97,7 @@ rsh_bound_desc FrameMemory::bound() const {
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
     return {sizeof(rsh_build_desc), at("rays", bounce), desc_.width, desc_.height,
-            scratch_["nodes"]};
+            scratch_["nodes"],      0};
 }
 
 rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
@@ -147,9 +147,9 @@ rsh_spawn_desc FrameMemory::spawn_shadow(cl_uint bounce, cl_uint light) const {
     return pass;
 }
 
-rsh_build_desc FrameMemory::build_shadow() const {
+rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
     return {sizeof(rsh_build_desc), scratch_["shadow rays"], desc_.width, desc_.height,
-            scratch_["nodes"]};
+            scratch_["nodes"],      desc_.scene->positional_lights >> light & 1};
 }
 
 rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {

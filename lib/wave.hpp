@@ -23,7 +23,7 @@ public:
     rsh_shade_desc shade(cl_uint bounce) const;
     // The shadow rays of one light at the hits of a bounce.
     rsh_spawn_desc spawn_shadow(cl_uint bounce, cl_uint light) const;
-    rsh_build_desc build_shadow() const;
+    rsh_build_desc build_shadow(cl_uint light) const;
     rsh_traverse_desc traverse_shadow(cl_uint light) const;
 
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }

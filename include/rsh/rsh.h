@@ -206,6 +206,8 @@ typedef struct rsh_scene {
     cl_mem lights;                /* light_count x rsh_light; may be NULL when there is none */
     cl_uint light_count;          /* at most RSH_MAX_LIGHTS */
     cl_uint shadow_lights;        /* bit k: light k casts shadows; see rsh_find_features   */
+    cl_uint positional_lights;    /* bit k: light k is a point or spot light, whose shadow rays
+                                     rsh_frame builds as converging. Changes time only     */
     cl_mem textures;              /* texture_count x rsh_texture                           */
     cl_uint texture_count;
     cl_mem texels;                /* what they point into */
@@ -217,7 +219,7 @@ typedef struct rsh_scene {
                                      light; see rsh_find_features                          */
 } rsh_scene;
 
-/* Fills scene->features and scene->shadow_lights with what these materials and lights (host
+/* Fills scene->features, shadow_lights and positional_lights with what these materials and lights (host
  * copies of the device arrays) and the buffers present in `scene` need. Call it when they change;
  * leave a bit out to switch a feature off. Without RSH_FEATURE_REFRACTION a material's transmission
  * counts as 0. */
@@ -284,6 +286,10 @@ typedef struct rsh_build_desc {
     cl_uint width;    /* rays in screen order, row by row; or a list of `width` rays, height 1 */
     cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
     cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad       */
+    cl_uint converging; /* 1: the rays run towards one point, where t = 1, as shadow rays of a
+                         point light do; then nodes bound them from there, backwards, which
+                         leaves far fewer pairs. Rays with tmax above 1 are found all the same,
+                         slowly. 0: nodes bound them from their origins */
 } rsh_build_desc;
 
 /* Fills *levels (may be NULL) and the sizes; no device work. */

@@ -184,6 +184,7 @@ void check_ray_grid(cl_uint width, cl_uint height) {
 
 void check(const Context& context, const rsh_build_desc& desc) {
     check_ray_grid(desc.width, desc.height);
+    require(desc.converging <= 1, "converging", desc.converging, "0 or 1");
     const rsh_levels levels = levels_of(desc.width, desc.height);
     check_buffer(context, "rays", desc.rays, ray_count(levels) * sizeof(rsh_ray));
     check_buffer(context, "nodes", desc.nodes, node_bytes(levels));

@@ -39,7 +39,7 @@ void build(Recorder& recorder, const rsh_build_desc& desc) {
         return size_t{levels.width[level + 1]} * levels.height[level + 1];
     };
     recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_leaves"}, recorder.range(parents(0)),
-                    levels, desc.rays, desc.nodes);
+                    levels, desc.rays, desc.converging, desc.nodes);
     for (cl_uint level = 1; level < levels.count; ++level)
         recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_level"},
                         recorder.range(parents(level)), levels, level, desc.nodes);
