@@ -38,7 +38,9 @@ run_sanitizers() {
         build/asan/tests/rsh_tests --gtest_brief=1 2>&1 | tee "$logs/asan.log" | tail -n 40
 }
 
-# Oclgrind goes on after an error and exits with 0, so its report is searched.
+# Oclgrind goes on after an error and exits with 0, so its report is searched. Kernels are compiled
+# without optimization: Oclgrind 21.10 gets operators on optimized vector comparisons wrong (in
+# (m == 0) & (v > 1) with int4 m, a lane that is true comes out as 1 instead of -1).
 run_oclgrind() {
     step "Oclgrind: kernel tests"
     local filter='All/Reduce.EqualsCopyIf*:All/Reduce.Takes*:All/Build.Contains*:All/Bound.Contains*'
@@ -46,8 +48,8 @@ run_oclgrind() {
     filter+=':All/Traverse.*/InvalidRays*:Rasterize.EqualsTracingInImagesOfAnyShape'
     filter+=':Shade.MatchesWhittedInTheGallery:Spawn.Casts*:Frame.EqualsTheLoop*'
     RSH_TEST_SMALL=1 RSH_CACHE_DIR=$(fresh_cache) \
-        timeout 900 oclgrind --data-races build/release/tests/rsh_tests --gtest_brief=1 \
-        --gtest_filter="$filter" >"$logs/oclgrind.log" 2>&1 || {
+        timeout 900 oclgrind --data-races --build-options -cl-opt-disable \
+        build/release/tests/rsh_tests --gtest_brief=1 --gtest_filter="$filter" >"$logs/oclgrind.log" 2>&1 || {
         tail -n 60 "$logs/oclgrind.log"
         return 1
     }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # scenes.sh - the gate of real scenes: renders every scene of samples/scenes whose files are in the
-# folder that RSH_SCENES names, and traces every ray again by brute force (rsh-render --check).
+# folder that RSH_SCENES names, traces every ray again by brute force (rsh-render --check), and
+# lets the double-precision oracle judge primary and reflected rays (rsh_scene_oracle).
 #   scenes.sh [BUILD] [SCENE...]     default: build/release, all scenes
 # Without RSH_SCENES it says so and checks nothing, so it is not part of run.sh.
 set -euo pipefail
@@ -20,7 +21,9 @@ failed=0
 for scene in "${scenes[@]}"; do
     start=$SECONDS
     if "$build/samples/rsh-render" "$scene" --out "$out/picture.png" --size 256x256 --bounces 2 \
-        --check 1 >"$out/log" 2>&1; then
+        --check 1 >"$out/log" 2>&1 &&
+        "$build/tests/rsh_scene_oracle" "$scene" >>"$out/log" 2>&1; then
+        grep ' ambiguous, ' "$out/log"
         echo "passed $scene ($((SECONDS - start)) s)"
     else
         echo "FAILED $scene ($((SECONDS - start)) s)"

@@ -132,6 +132,25 @@ INSTANTIATE_TEST_SUITE_P(All, Overflow,
                                                                          : "ScanScatter";
                          });
 
+// Every width is a program of its own.
+TEST(TraverseHits, AreTheSameWithEveryVectorWidth) {
+    test::Random random(12);
+    const DeviceMesh mesh(test::random_soup(random, test::small() ? 50 : 700));
+    const test::Rays rays = test::random_rays(random, test::small() ? 8 : 48, 31);
+    const auto expected = closest_hits(mesh, rays, brute_force());
+    for (const cl_uint width : {1u, 4u, 8u, 16u})
+        for (const size_t budget : {size_t(0), size_t(RSH_MIN_BUDGET)}) {
+            const test::OwnContext context(width);
+            TraceOptions options = paper(0, budget);
+            options.context = context.get();
+            EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
+                << "paper, width " << width << ", budget " << budget;
+            options.engine = RSH_ENGINE_BRUTE_FORCE;
+            EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
+                << "brute force, width " << width;
+        }
+}
+
 TEST(TraverseHits, OfRaysThatHitNothingHoldTmaxAndZeros) {
     const Case c = {test::sphere(8, 5), [] {
                         test::Rays rays = test::pinhole_rays(9, 9, {0, 0, 5}, {0, 0, 9});

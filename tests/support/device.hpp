@@ -32,7 +32,7 @@ std::string device_name();
 // An rsh_context of its own for a test that counts or releases.
 class OwnContext {
 public:
-    OwnContext();
+    explicit OwnContext(cl_uint vector_width = 0);
     ~OwnContext();
     OwnContext(const OwnContext&) = delete;
     OwnContext& operator=(const OwnContext&) = delete;
