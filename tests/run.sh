@@ -18,7 +18,9 @@ fresh_cache() { mktemp -d "${TMPDIR:-/tmp}/rsh-cache.XXXXXX"; }
 
 run_release() {
     step "release: build"
-    cmake --preset release -G Ninja >"$logs/configure-release.log"
+    # Said again, because quickstart.sh configures the same folder without tests.
+    cmake --preset release -G Ninja -DRSH_BUILD_TESTS=ON -DRSH_BUILD_SAMPLES=ON \
+        >"$logs/configure-release.log"
     cmake --build build/release -j "$jobs"
     step "release: ctest"
     ctest --test-dir build/release -j "$jobs" --output-on-failure --no-tests=error |
@@ -49,7 +51,8 @@ run_oclgrind() {
     filter+=':Shade.MatchesWhittedInTheGallery:Spawn.Casts*:Frame.EqualsTheLoop*'
     RSH_TEST_SMALL=1 RSH_CACHE_DIR=$(fresh_cache) \
         timeout 900 oclgrind --data-races --build-options -cl-opt-disable \
-        build/release/tests/rsh_tests --gtest_brief=1 --gtest_filter="$filter" >"$logs/oclgrind.log" 2>&1 || {
+        build/release/tests/rsh_tests --gtest_brief=1 --gtest_filter="$filter" \
+        >"$logs/oclgrind.log" 2>&1 || {
         tail -n 60 "$logs/oclgrind.log"
         return 1
     }
