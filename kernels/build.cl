@@ -162,8 +162,9 @@ __kernel void rsh_build_leaves(rsh_levels levels, __global const rsh_ray* rays,
     quads[levels.first_quad[0] + i] = quad;
 }
 
-__kernel void rsh_build_level(rsh_levels levels, uint level, __global rsh_node_quad* quads)
+__kernel void rsh_build_level(rsh_levels shape, uint level, __global rsh_node_quad* quads)
 {
+    const rsh_levels levels = shape;
     const uint i = get_global_id(0);
     if (i >= levels.width[level + 1] * levels.height[level + 1]) return;
     rsh_node_quad quad;

@@ -1,4 +1,8 @@
-/* levels.h - where the nodes of a level lie; see rsh_levels. */
+/* levels.h - where the nodes of a level lie; see rsh_levels.
+ *
+ * A kernel that looks up a level which varies copies its rsh_levels argument first: Mesa 22.3's
+ * llvmpipe reads arguments at constant offsets only, and crashes at any other.
+ */
 #ifndef RSH_LEVELS_H
 #define RSH_LEVELS_H
 

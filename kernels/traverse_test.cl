@@ -32,12 +32,13 @@ static void test_group(const rsh_levels* levels, uint level, const rsh_pair* pai
 
 static uint group_count(uint count) { return count / RSH_PAIRS + (count % RSH_PAIRS != 0); }
 
-__kernel void rsh_traverse_test(rsh_levels levels, uint level, uint limit,
+__kernel void rsh_traverse_test(rsh_levels shape, uint level, uint limit,
                                 __global const float4* spheres,
                                 __global const rsh_node_quad* quads,
                                 __global const rsh_pair* pairs, __global const uint* pair_count,
                                 __global uint* candidates, __global uint* candidate_count)
 {
+    const rsh_levels levels = shape;
     const uint count = min(pair_count[level + 1], limit);
     if (get_global_id(0) == 0) *candidate_count = 4 * count;
     const rsh_stride mine = my_elements(group_count(count));
@@ -51,11 +52,12 @@ __kernel void rsh_traverse_test(rsh_levels levels, uint level, uint limit,
 }
 
 /* The same at the root: pair i is (first + i, root). */
-__kernel void rsh_traverse_test_root(rsh_levels levels, uint level, uint first_triangle, uint count,
+__kernel void rsh_traverse_test_root(rsh_levels shape, uint level, uint first_triangle, uint count,
                                      __global const float4* spheres,
                                      __global const rsh_node_quad* quads, __global uint* candidates,
                                      __global uint* candidate_count)
 {
+    const rsh_levels levels = shape;
     if (get_global_id(0) == 0) *candidate_count = 4 * count;
     const rsh_stride mine = my_elements(group_count(count));
     for (uint g = mine.begin; g < mine.end; g += mine.step) {

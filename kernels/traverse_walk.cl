@@ -70,7 +70,7 @@ static void walk_down(const rsh_target* target, const rsh_levels* levels, uint t
     }
 }
 
-__kernel void rsh_traverse_walk(rsh_levels levels, uint level, uint limit, rsh_mesh mesh,
+__kernel void rsh_traverse_walk(rsh_levels shape, uint level, uint limit, rsh_mesh mesh,
                                 __global const float* vertices, __global const uint* indices,
                                 __global const rsh_ray* rays, __global const float4* spheres,
                                 __global const rsh_node_quad* quads,
@@ -78,6 +78,7 @@ __kernel void rsh_traverse_walk(rsh_levels levels, uint level, uint limit, rsh_m
                                 __global rsh_hit* hits, __global uint* occlusion,
                                 uint occlusion_bit)
 {
+    const rsh_levels levels = shape;
     const rsh_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
     const uint total = pair_count[level + 1];
     if (total <= limit) return;
