@@ -103,7 +103,10 @@ TEST(Rasterize, EqualsTracingInImagesOfAnyShape) {
     const Mesh mesh = test::random_soup(random, test::small() ? 50 : 500, 0.4f);
     const uint32_t shapes[][2] = {{1, 1},   {1, 61},  {67, 1},  {2, 2},
                                   {16, 16}, {17, 15}, {31, 33}, {64, 48}};
-    for (const auto& shape : shapes) expect_same_as_tracing(mesh, view(shape[0], shape[1]));
+    for (const auto& shape : shapes) {
+        if (test::small() && shape[0] * shape[1] > 300) continue;
+        expect_same_as_tracing(mesh, view(shape[0], shape[1]));
+    }
 }
 
 TEST(Rasterize, EqualsTracingInLargeImages) {
