@@ -15,7 +15,7 @@ cl::Device checked_device(const cl::Context& context, cl_device_id device) {
 }
 
 cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
-    if (requested == 0) return caps.is_cpu ? 16 : 1;
+    if (requested == 0) return caps.is_cpu ? caps.vector_width : 1;
     if (requested == 1 || requested == 4 || requested == 8 || requested == 16) return requested;
     throw Error(RSH_INVALID_VALUE, "vector_width: is " + std::to_string(requested) +
                                        ", must be 0, 1, 4, 8 or 16");

@@ -14,6 +14,14 @@ std::string identity_of(const cl::Device& device) {
            '\n' + device.getInfo<CL_DRIVER_VERSION>();
 }
 
+// What the compiler prefers is no guide: where it vectorizes across work-items that is 1.
+cl_uint register_width(const cl::Device& device) {
+    const cl_uint native = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
+    for (const cl_uint width : {16u, 8u, 4u})
+        if (native >= width) return width;
+    return 1;
+}
+
 void require_supported(const cl::Device& device) {
     if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>())
         throw Error(RSH_UNSUPPORTED, "device: has no OpenCL C compiler, one is required");
@@ -31,6 +39,7 @@ DeviceCaps::DeviceCaps(const cl::Device& device) {
     is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     correctly_rounded = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() &
                          CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    vector_width = register_width(device);
     compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     max_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     group_size = std::min<size_t>(64, max_group_size);
