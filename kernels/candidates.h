@@ -37,12 +37,12 @@ static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle
         return;
     }
     volatile __global uint* slot = &target->hits[ray].primitive;
-    uint best = *slot;
-    while (best == RSH_NO_HIT || is_closer(target, ray, t, triangle, best)) {
+    uint best = RSH_NO_HIT; /* a guess: the first exchange reads the slot */
+    do {
         const uint seen = atomic_cmpxchg(slot, best, triangle);
         if (seen == best) return;
         best = seen;
-    }
+    } while (is_closer(target, ray, t, triangle, best));
 }
 
 /* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. */

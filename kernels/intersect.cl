@@ -15,13 +15,10 @@ __kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
     const uint count = *pair_count;
     const rsh_stride mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        const uint first = i * RSH_WIDTH;
+        const uint filled = min((uint)RSH_WIDTH, count - first);
         rsh_pair group[RSH_WIDTH];
-        uint filled = 0;
-        for (uint k = i * RSH_WIDTH; k < min((i + 1) * RSH_WIDTH, count); ++k) {
-            const rsh_pair pair = pairs[k];
-            if (occlusion_bit && (occlusion[pair.node] & occlusion_bit)) continue;
-            group[filled++] = pair;
-        }
-        if (filled > 0) intersect_pairs(&target, group, filled);
+        for (uint k = 0; k < filled; ++k) group[k] = pairs[first + k];
+        intersect_pairs(&target, group, filled);
     }
 }

@@ -481,7 +481,7 @@ typedef struct rsh_reduce_desc {
     cl_mem input_count;      /* in: one cl_uint on the device, not above `count`; NULL: `count` */
     cl_mem input;            /* in */
     cl_mem flags;            /* in: one byte per element; RSH_KEEP_FLAGS only                 */
-    cl_mem output;           /* out: room for every element kept, at most `count`             */
+    cl_mem output;           /* out: room for every element kept, at least one             */
     cl_mem output_count;     /* out: one cl_uint, the number kept                             */
     cl_mem scratch;
 } rsh_reduce_desc;

@@ -80,7 +80,7 @@ typedef struct rsh_node_quad {
 } rsh_node_quad;
 RSH_ASSERT_SIZE(rsh_node_quad, 128);
 
-/* Shape of a hierarchy over width x height rays (or over a list: height 1).
+/* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
  * Level 0 holds the rays, level `count` the root. Node (x, y) of level l + 1 has the children
  * (2x, 2y), (2x+1, 2y), (2x, 2y+1), (2x+1, 2y+1) of level l; in a list, node i has the children

@@ -15,6 +15,11 @@ constexpr cl_uint kMaxTriangles = 1u << 28;
 constexpr cl_uint kMaxSide = 16384;
 constexpr cl_uint kMaxList = 1u << 28;
 
+// Saturates: no offset wraps round to a small size.
+cl_ulong end_of(cl_ulong offset, cl_ulong bytes) {
+    return offset > ~cl_ulong{0} - bytes ? ~cl_ulong{0} : offset + bytes;
+}
+
 void check_side(const char* field, cl_uint side) {
     require(side >= 1 && side <= kMaxSide, field, side, "1 .. " + std::to_string(kMaxSide));
 }
@@ -123,10 +128,10 @@ void check(const Context& context, const rsh_geometry& geometry) {
             "a multiple of 4");
     const cl_ulong vertices = geometry.vertex_count;
     check_buffer(context, "geometry.vertices", geometry.vertices,
-                 vertices ? geometry.vertices_offset + (vertices - 1) * stride + 12 : 0);
+                 vertices ? end_of(geometry.vertices_offset, (vertices - 1) * stride + 12) : 0);
     if (geometry.indices)
         check_buffer(context, "geometry.indices", geometry.indices,
-                     geometry.indices_offset + cl_ulong{geometry.triangle_count} * 12);
+                     end_of(geometry.indices_offset, cl_ulong{geometry.triangle_count} * 12));
 }
 
 void check(const Context& context, const rsh_scene* scene) {
