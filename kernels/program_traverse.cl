@@ -1,5 +1,6 @@
 /* program_traverse.cl - what every traversal launches, as one program: compiling a program costs PoCL
- * about 0.3 s before the first line of it, so kernels that are needed together are built together.
+ * about half a second before the first line of it, so kernels that are needed together are built
+ * together. The reductions are those of pairs, the default element of reduce_element.h.
  */
 #include "bound.cl"
 #include "build.cl"
@@ -7,3 +8,6 @@
 #include "traverse_walk.cl"
 #include "intersect.cl"
 #include "resolve.cl"
+#include "reduce_chunk.cl"
+#include "reduce_scan_scatter.cl"
+#include "clear_colour.cl"

@@ -9,11 +9,8 @@
 #include "spawned_ray.h"
 #include "stride.h"
 
-#ifndef RSH_REFRACTED
-#define RSH_REFRACTED 0 /* 1: refracted rays, 0: mirror rays */
-#endif
 #ifndef RSH_TRANSMISSION
-#define RSH_TRANSMISSION 1 /* 0: no material transmits light */
+#define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */
 #endif
 
 typedef struct rsh_branch {
@@ -24,16 +21,17 @@ typedef struct rsh_branch {
 
 static bool transmits(__global const rsh_material* material)
 {
-    return RSH_TRANSMISSION && largest3(material->transmission.xyz) > 0.0f;
+    return largest3(material->transmission.xyz) > 0.0f;
 }
 
 /* Most surfaces of most scenes send out no ray: known before their triangle is read. */
 static bool may_branch(const rsh_shape* shape, __global const rsh_material* materials,
-                       rsh_hit hit)
+                       rsh_hit hit, bool is_refracted)
 {
     if (hit.primitive >= shape->mesh.triangle_count) return false;
     __global const rsh_material* material = materials + material_of(shape, hit.primitive);
-    return transmits(material) || (!RSH_REFRACTED && largest3(material->reflection.xyz) > 0.0f);
+    if (is_refracted) return transmits(material);
+    return largest3(material->reflection.xyz) > 0.0f || (RSH_TRANSMISSION && transmits(material));
 }
 
 static rsh_branch refracted_branch(const rsh_surface* surface,
@@ -55,17 +53,11 @@ static rsh_branch reflected_branch(const rsh_surface* surface,
     branch.side = surface->geometric;
     branch.direction = keep_on_side(reflect_ray(surface), branch.side);
     branch.weight = material->reflection.xyz;
-    if (transmits(material)) {
+    if (RSH_TRANSMISSION && transmits(material)) {
         const float share = reflectance(dielectric_at(surface, material->transmission.w));
         branch.weight = share + (1.0f - share) * branch.weight;
     }
     return branch;
-}
-
-static rsh_branch branch_at(const rsh_surface* surface, __global const rsh_material* material)
-{
-    return RSH_REFRACTED ? refracted_branch(surface, material)
-                         : reflected_branch(surface, material);
 }
 
 /* False: whatever the ray saw, it would not change the image. */
@@ -78,7 +70,8 @@ __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const uint* material_ids,
                         __global const rsh_material* materials, uint material_count,
-                        uint ray_count, float min_weight, __global const rsh_ray* rays,
+                        uint ray_count, uint is_refracted, float min_weight,
+                        __global const rsh_ray* rays,
                         __global const rsh_hit* hits, __global const float4* weights,
                         __global rsh_ray* spawned_rays, __global float4* spawned_weights,
                         __global uint* active_count)
@@ -90,9 +83,11 @@ __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
         rsh_ray spawned = inactive_ray();
         float3 weight = (float3)(0.0f);
         rsh_surface surface;
-        if (may_branch(&shape, materials, hits[i]) &&
+        if (may_branch(&shape, materials, hits[i], is_refracted) &&
             find_surface(&shape, rays[i], hits[i], &surface)) {
-            const rsh_branch branch = branch_at(&surface, materials + surface.material);
+            __global const rsh_material* material = materials + surface.material;
+            const rsh_branch branch = is_refracted ? refracted_branch(&surface, material)
+                                                   : reflected_branch(&surface, material);
             const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
             const rsh_ray ray = ray_from(leave_surface(&surface, branch.side), branch.direction,
                                          INFINITY);

@@ -78,8 +78,21 @@ std::optional<std::vector<unsigned char>> BinaryCache::load(const std::string& k
     return binary;
 }
 
+bool BinaryCache::was_wanted(const std::string& key) const {
+    if (folder_.empty()) return false;
+    std::error_code failed;
+    if (fs::exists(path_of(key), failed)) return true;
+    write(key, {});
+    return false;
+}
+
 void BinaryCache::store(const std::string& key, const std::vector<unsigned char>& binary) const {
     if (folder_.empty() || binary.empty()) return;
+    write(key, binary);
+    evict();
+}
+
+void BinaryCache::write(const std::string& key, const std::vector<unsigned char>& binary) const {
     std::error_code failed;
     fs::create_directories(folder_, failed);
     const std::string path = path_of(key), temporary = path + temporary_suffix();
@@ -93,7 +106,6 @@ void BinaryCache::store(const std::string& key, const std::vector<unsigned char>
     }
     if (!failed) fs::rename(temporary, path, failed);
     if (failed) fs::remove(temporary, failed);
-    evict();
 }
 
 void BinaryCache::evict() const {

@@ -1,6 +1,6 @@
 // binary_cache.hpp - compiled programs in a folder on disk. Knows bytes and keys, no OpenCL.
 //
-// A file holds a checksum and the binary; it is written under a temporary name and renamed, so a
+// A file holds a key, a checksum and the binary, or no binary yet; it is written under a temporary name and renamed, so a
 // reader sees all of it or nothing. Files used least recently go when the folder grows past its
 // cap. Any failure of the file system only means that a program is compiled again.
 #pragma once
@@ -22,11 +22,13 @@ public:
     // Folder from the descriptor, else RSH_CACHE_DIR, else XDG_CACHE_HOME/rsh, else ~/.cache/rsh.
     static std::string folder_for(const char* requested);
 
-    bool enabled() const { return !folder_.empty(); }
     std::optional<std::vector<unsigned char>> load(const std::string& key) const;
+    // Whether any process asked this before; remembers that it was asked.
+    bool was_wanted(const std::string& key) const;
     void store(const std::string& key, const std::vector<unsigned char>& binary) const;
 
 private:
+    void write(const std::string& key, const std::vector<unsigned char>& binary) const;
     std::string path_of(const std::string& key) const;
     void evict() const;
 

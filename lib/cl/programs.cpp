@@ -1,9 +1,19 @@
 #include "cl/programs.hpp"
 
+#include <chrono>
+
 #include "cl/kernel_source.hpp"
 #include "core/error.hpp"
 
 namespace rsh {
+namespace {
+
+// A program is stored the second time that compiling it took longer than this. Drivers that cache
+// what they compile are quick by then and never pay for handing it out: PoCL compiles every
+// kernel once more for that, two seconds for the traversal's.
+constexpr double kSlowSeconds = 0.2;
+
+}  // namespace
 
 // One built program and its idle kernels. Built under its own mutex: a second thread that needs the
 // same program waits, one that needs another does not.
@@ -56,8 +66,10 @@ cl::Program Programs::make(const KernelName& name) {
                             source;
     cl::Program program = load(key, options);
     if (program()) return program;
+    const auto start = std::chrono::steady_clock::now();
     program = compile(name, source, options);
-    store(key, program);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (seconds.count() > kSlowSeconds && cache_.was_wanted(key)) store(key, program);
     return program;
 }
 
@@ -93,7 +105,6 @@ cl::Program Programs::compile(const KernelName& name, const std::string& source,
 
 // Failing to store costs the next process a compilation, and this one nothing.
 void Programs::store(const std::string& key, const cl::Program& program) const {
-    if (!cache_.enabled()) return;
     try {
         const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
         const auto devices = program.getInfo<CL_PROGRAM_DEVICES>();

@@ -4,7 +4,7 @@ namespace rsh {
 
 void clear_colour(Recorder& recorder, cl_mem hits, cl_uint pixel_count, cl_mem colour,
                   cl_mem hit_count) {
-    recorder.launch(RSH_STAGE_SHADE, {"clear_colour", "rsh_clear_colour"},
+    recorder.launch(RSH_STAGE_SHADE, {"program_traverse", "rsh_clear_colour"},
                     recorder.stream_range(), hits, pixel_count, colour, hit_count);
 }
 

@@ -1,6 +1,7 @@
 #include "passes/spawn.hpp"
 
 #include "passes/mesh.hpp"
+#include "passes/surface_kernel.hpp"
 
 namespace rsh {
 namespace {
@@ -9,25 +10,9 @@ namespace {
 // few enough that a screen fills a GPU.
 constexpr size_t kRaysPerItem = 16;
 
-std::string define(const char* name, bool value) {
-    return std::string(" -D ") + name + (value ? "=1" : "=0");
-}
-
-std::string smooth_option(const rsh_scene& scene) {
-    return define("RSH_SMOOTH_NORMAL", scene.features & RSH_FEATURE_SMOOTH_NORMAL);
-}
-
-// A refracted ray's kernel always knows transmission, a mirror ray's only for Fresnel's share.
-std::string options_of(const rsh_spawn_desc& desc) {
-    const bool is_refracted = desc.kind == RSH_SPAWN_REFRACTION;
-    const bool transmits = desc.scene->features & RSH_FEATURE_REFRACTION;
-    return smooth_option(*desc.scene) + define("RSH_REFRACTED", is_refracted) +
-           define("RSH_TRANSMISSION", is_refracted || transmits);
-}
-
 void spawn_shadow(Recorder& recorder, const rsh_spawn_desc& desc, const Range& range) {
     const rsh_scene& scene = *desc.scene;
-    recorder.launch(RSH_STAGE_SPAWN, {"spawn_shadow", "rsh_spawn_shadow", smooth_option(scene)},
+    recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, "rsh_spawn_shadow"),
                     range, mesh_of(scene.geometry), scene.geometry.vertices,
                     scene.geometry.indices, scene.normals, scene.material_ids, scene.materials,
                     scene.material_count, scene.lights, desc.light, desc.ray_count, desc.rays,
@@ -41,10 +26,11 @@ void spawn(Recorder& recorder, const rsh_spawn_desc& desc) {
         recorder.range((size_t{desc.ray_count} + kRaysPerItem - 1) / kRaysPerItem);
     if (desc.kind == RSH_SPAWN_SHADOW) return spawn_shadow(recorder, desc, range);
     const rsh_scene& scene = *desc.scene;
-    recorder.launch(RSH_STAGE_SPAWN, {"spawn", "rsh_spawn", options_of(desc)}, range,
+    const cl_uint is_refracted = desc.kind == RSH_SPAWN_REFRACTION;
+    recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, "rsh_spawn"), range,
                     mesh_of(scene.geometry), scene.geometry.vertices, scene.geometry.indices,
                     scene.normals, scene.material_ids, scene.materials, scene.material_count,
-                    desc.ray_count, desc.min_weight, desc.rays, desc.hits, desc.weights,
+                    desc.ray_count, is_refracted, desc.min_weight, desc.rays, desc.hits, desc.weights,
                     desc.spawned_rays, desc.spawned_weights, desc.active_count);
 }
 

@@ -25,13 +25,13 @@ void Chunk::reserve(Layout& scratch, const Context& context, cl_uint count) cons
 
 void Chunk::enqueue(Recorder& recorder, const ReduceStream& stream, const Scratch& scratch) const {
     const Range range = runs(recorder.context(), stream.count);
-    const std::string options = element_options(stream);
+    const char* program = "reduce_chunk";
     const cl_uint has_input_count = stream.input_count != nullptr;
     const cl_mem counts = scratch["reduce counts"];
-    recorder.launch(RSH_STAGE_REDUCE, {"reduce_chunk", "rsh_reduce_chunk_count", options}, range,
+    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_count"), range,
                     stream.input, stream.flags, stream.input_count, has_input_count, stream.count,
                     counts);
-    recorder.launch(RSH_STAGE_REDUCE, {"reduce_chunk", "rsh_reduce_chunk_write", options}, range,
+    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_write"), range,
                     stream.input, stream.flags, stream.input_count, has_input_count, stream.count,
                     counts, stream.output, stream.output_count, stream.output_index);
 }

@@ -21,9 +21,13 @@ const Strategy& find_strategy(cl_uint id) {
                 "strategy: is " + std::to_string(id) + ", must be RSH_STRATEGY_...");
 }
 
-std::string element_options(const ReduceStream& stream) {
-    return "-D RSH_WORDS=" + std::to_string(stream.element_bytes / 4) +
-           " -D RSH_FLAGS=" + (stream.keep == RSH_KEEP_FLAGS ? "1" : "0");
+KernelName reduce_kernel(const ReduceStream& stream, const char* program, const char* kernel) {
+    const bool has_flags = stream.keep == RSH_KEEP_FLAGS;
+    if (stream.element_bytes == sizeof(rsh_pair) && !has_flags)
+        return {"program_traverse", kernel};
+    return {program, kernel,
+            "-D RSH_WORDS=" + std::to_string(stream.element_bytes / 4) +
+                " -D RSH_FLAGS=" + (has_flags ? "1" : "0")};
 }
 
 Layout reduce_scratch(const Context& context, const rsh_reduce_desc& desc) {

@@ -37,8 +37,8 @@ public:
 const std::vector<const Strategy*>& strategies();
 const Strategy& find_strategy(cl_uint id);  // throws; RSH_STRATEGY_DEFAULT: what suits
 
-// -D options of reduce_element.h.
-std::string element_options(const ReduceStream& stream);
+// A strategy's kernel for the stream's elements. Pairs are reduced by the traversal's own program.
+KernelName reduce_kernel(const ReduceStream& stream, const char* program, const char* kernel);
 
 // rsh_reduce
 Layout reduce_scratch(const Context& context, const rsh_reduce_desc& desc);
