@@ -194,7 +194,7 @@ rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc
         const rsh::Engine& engine = rsh::find_engine(copy.engine);
         const cl_ulong rays = rsh::ray_count(rsh::levels_of(copy.width, copy.height));
         rsh::set_sizes(sizes, rays * (copy.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
-                       engine.scratch(checked, copy).bytes());
+                       engine.scratch(checked, copy, rsh::spheres_of(copy)).bytes());
     });
 }
 

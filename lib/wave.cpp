@@ -48,10 +48,8 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
     layout.add("spheres", size_t{desc.scene->geometry.triangle_count} * 16);
     layout.add("nodes", node_bytes(levels_of(desc.width, desc.height)));
-    rsh_traverse_desc traversal = traverse_of(desc);
-    // Any buffer will do to say that the spheres are not the traversal's own.
-    traversal.spheres = desc.scene->geometry.vertices;
-    layout.add("traverse", find_engine(desc.engine).scratch(context, traversal).bytes());
+    const Engine& engine = find_engine(desc.engine);
+    layout.add("traverse", engine.scratch(context, traverse_of(desc), Spheres::given).bytes());
 }
 
 }  // namespace

@@ -215,7 +215,7 @@ void check(const Context& context, const rsh_traverse_desc& desc) {
     }
     require(desc.budget == 0 || desc.budget >= RSH_MIN_BUDGET, "budget", desc.budget,
             "0 or at least " + std::to_string(RSH_MIN_BUDGET));
-    check_scratch(context, desc.scratch, engine.scratch(context, desc).bytes());
+    check_scratch(context, desc.scratch, engine.scratch(context, desc, spheres_of(desc)).bytes());
 }
 
 void check(const Context& context, const rsh_spawn_desc& desc) {

@@ -11,7 +11,7 @@ constexpr cl_uint kVectorsPerItem = 4;  // RSH_BLOCKS of brute_force.cl
 
 }  // namespace
 
-Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&) const {
+Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&, Spheres) const {
     return Layout(context.caps.alignment);
 }
 

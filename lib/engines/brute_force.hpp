@@ -10,7 +10,8 @@ public:
     cl_uint id() const noexcept override { return RSH_ENGINE_BRUTE_FORCE; }
     const char* name() const noexcept override { return "brute_force"; }
     bool needs_nodes() const noexcept override { return false; }
-    Layout scratch(const Context& context, const rsh_traverse_desc& desc) const override;
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc,
+                   Spheres spheres) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 

@@ -137,7 +137,8 @@ private:
 
 }  // namespace
 
-Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc) const {
+Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
+                      Spheres spheres) const {
     const rsh_levels levels = levels_of(desc.width, desc.height);
     const cl_uint limit = limit_of(desc, levels);
     Layout layout(context.caps.alignment);
@@ -145,14 +146,15 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc) con
     layout.add_array<rsh_pair>("candidates", size_t{4} * limit);
     layout.add_array<cl_uint>("candidate count", 1);
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
-    if (!desc.spheres) layout.add("spheres", size_t{desc.geometry.triangle_count} * 16);
+    if (spheres == Spheres::made)
+        layout.add("spheres", size_t{desc.geometry.triangle_count} * 16);
     find_strategy(desc.strategy).reserve(layout, context, 4 * limit);
     return layout;
 }
 
 void Paper::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     if (desc.width == 0) return;
-    Traversal(recorder, desc, scratch(recorder.context(), desc)).run();
+    Traversal(recorder, desc, scratch(recorder.context(), desc, spheres_of(desc))).run();
 }
 
 }  // namespace rsh

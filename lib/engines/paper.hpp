@@ -11,7 +11,8 @@ public:
     cl_uint id() const noexcept override { return RSH_ENGINE_PAPER; }
     const char* name() const noexcept override { return "paper"; }
     bool needs_nodes() const noexcept override { return true; }
-    Layout scratch(const Context& context, const rsh_traverse_desc& desc) const override;
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc,
+                   Spheres spheres) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 
