@@ -100,10 +100,8 @@ private:
 
     template <class Use>
     void count_later(Use use) {
-        StatisticsLog& log = recorder_.context().statistics;
-        if (log.enabled())
-            recorder_.read_later(memory_.active_count(), sizeof(cl_uint),
-                                 log.expect_counts(1, use));
+        if (recorder_.context().statistics.enabled())
+            recorder_.count_later(memory_.active_count(), 1, use);
     }
 
     void report_progress() {

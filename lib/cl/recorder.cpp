@@ -53,11 +53,14 @@ void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes) {
     record(stage, event);
 }
 
-void Recorder::read_later(cl_mem buffer, size_t bytes, cl_uint* host) {
+void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use) {
+    CountRead read(word_count, std::move(use));
     cl::Event event;
-    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0, bytes, host, waits(), &event);
-    context_.statistics.add_pending(event);
+    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0, word_count * sizeof(cl_uint),
+                             read.words(), waits(), &event);
+    read.began(event);
     waits_.assign(1, event);
+    context_.statistics.add_read(std::move(read));
 }
 
 cl_uint Recorder::read_now(cl_mem buffer) {

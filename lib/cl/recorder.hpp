@@ -54,8 +54,8 @@ public:
 
     // Sets `bytes` (a multiple of 4) at the front of `buffer` to a repeated word.
     void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes);
-    // Copies words to host memory that outlives the command (see StatisticsLog).
-    void read_later(cl_mem buffer, size_t bytes, cl_uint* host);
+    // Adds words from the front of `buffer` to the statistics, once they arrived.
+    void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
     // BLOCKS for the word; rsh_frame only.
     cl_uint read_now(cl_mem buffer);
 

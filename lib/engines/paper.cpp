@@ -55,11 +55,11 @@ ReduceStream survivors(const PairStreams& streams, cl_uint level) {
 // counts[l] is the length of the stream at level l; what no level tests first is known by size.
 void count_statistics(Recorder& recorder, const rsh_levels& levels, const PairStreams& streams,
                       const Batch& batch) {
-    StatisticsLog& log = recorder.context().statistics;
-    if (!log.enabled()) return;
+    if (!recorder.context().statistics.enabled()) return;
     const cl_uint limit = streams.limit, count = levels.count;
-    cl_uint* counts = log.expect_counts(
-        count, [limit, count, batch](rsh_statistics& sums, const cl_uint* level_counts) {
+    recorder.count_later(
+        streams.counts, count,
+        [limit, count, batch](rsh_statistics& sums, const cl_uint* level_counts) {
             ++sums.batches;
             sums.pairs_tested[count] += batch.triangle_count;
             for (cl_uint l = 0; l < count; ++l) {
@@ -70,7 +70,6 @@ void count_statistics(Recorder& recorder, const rsh_levels& levels, const PairSt
                 sums.peak_pairs = std::max(sums.peak_pairs, pairs);
             }
         });
-    recorder.read_later(streams.counts, count * sizeof(cl_uint), counts);
 }
 
 class Traversal {
