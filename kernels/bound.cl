@@ -42,5 +42,8 @@ __kernel void rsh_bound(rsh_mesh mesh, __global const float* vertices,
         return;
     }
     const float3 centre = sphere_centre(p);
-    spheres[i] = (float4)(centre, triangle_radius(p, centre));
+    const float radius = triangle_radius(p, centre);
+    /* Differences that overflow: a sphere that holds everything. */
+    spheres[i] = isfinite(radius) ? (float4)(centre, radius)
+                                  : (float4)(0.0f, 0.0f, 0.0f, INFINITY);
 }

@@ -8,11 +8,6 @@
 #define RSH_BLOCKS 4
 #define RSH_RAYS (RSH_BLOCKS * RSH_WIDTH)
 
-typedef struct rsh_best {
-    floatv t, u, v;
-    uintv primitive;
-} rsh_best;
-
 /* Rays behind the end, and inactive ones, get an empty interval. */
 static rsh_sheared load_rays(__global const rsh_ray* rays, uint first, uint ray_count)
 {
@@ -28,18 +23,6 @@ static rsh_sheared load_rays(__global const rsh_ray* rays, uint first, uint ray_
     return shear_rays(load_lanes(lanes[0]), load_lanes(lanes[1]), load_lanes(lanes[2]),
                       load_lanes(lanes[4]), load_lanes(lanes[5]), load_lanes(lanes[6]),
                       load_lanes(lanes[3]), load_lanes(lanes[7]));
-}
-
-/* Triangles come in ascending order, so of equal t the first one stays. */
-static void keep_closer(rsh_best* best, rsh_hits hits, uint triangle)
-{
-    const intv is_better =
-        hits.is_hit & ((hits.t < best->t) | (best->primitive == (uintv)(RSH_NO_HIT)));
-    if (!any_lane(is_better)) return;
-    best->t = select(best->t, hits.t, is_better);
-    best->u = select(best->u, hits.u, is_better);
-    best->v = select(best->v, hits.v, is_better);
-    best->primitive = select(best->primitive, (uintv)(triangle), as_uintv(is_better));
 }
 
 static void store_hits(__global const rsh_ray* rays, __global rsh_hit* hits, uint first,
@@ -78,8 +61,7 @@ __kernel void rsh_brute_force(rsh_mesh mesh, __global const float* vertices,
     rsh_best best[RSH_BLOCKS];
     for (int b = 0; b < RSH_BLOCKS; ++b) {
         sheared[b] = load_rays(rays, first + b * RSH_WIDTH, ray_count);
-        best[b].t = best[b].u = best[b].v = (floatv)(0.0f);
-        best[b].primitive = (uintv)(RSH_NO_HIT);
+        best[b] = no_hits();
     }
     for (uint i = 0; i < mesh.triangle_count; ++i) {
         rsh_triangle p;

@@ -5,7 +5,7 @@
  * then measured from the guess as stored, rounded outwards, so that a node always contains its
  * rays. Does not test anything against the scene.
  */
-#include "geometry.h"
+#include "algebra.h"
 #include "levels.h"
 
 typedef struct rsh_cone {
@@ -17,6 +17,8 @@ typedef struct rsh_cone {
 
 #define RSH_NO_CONE \
     ((rsh_cone){(float3)(0.0f), -1.0f, (float3)(0.0f, 0.0f, 1.0f), 0.0f})
+#define RSH_WHOLE_SPACE \
+    ((rsh_cone){(float3)(0.0f), INFINITY, (float3)(0.0f, 0.0f, 1.0f), 2.0f})
 
 /* Normalising errs by at most 12u in angle (u = 2^-24), also where divisions err by 2.5 ulp: a
  * cone of sine 2^-20 = 16u around the stored axis holds the true direction. */
@@ -38,7 +40,7 @@ static rsh_cone ray_cone(rsh_ray ray)
 /* The same ray from its point at t = 1 backwards: rays that run towards one point make the
  * thinnest cones there. Every point with t <= 1 lies that way; other rays go anywhere. The radius
  * makes up for the sum, which rounds by u per component, and for the hits of intersect.h: those
- * are off by 2^-20 of their distance to the origin, which is the direction's length more than
+ * are off by 45u of their distance to the origin, which is the direction's length more than
  * the distance to the apex that cone_sphere.h allows for. */
 static rsh_cone reversed_cone(rsh_ray ray)
 {
@@ -48,7 +50,7 @@ static rsh_cone reversed_cone(rsh_ray ray)
     if (!(ray.direction_tmax.w <= 1.0f) || !is_finite3(end)) cone.sine = 2.0f;
     if (cone.sine > 1.0f) return cone;
     cone.radius = 0x1p-22f * (fabs(end.x) + fabs(end.y) + fabs(end.z)) +
-                  0x1p-19f * safe_length(ray.direction_tmax.xyz) + 0x1p-124f;
+                  0x1p-18f * safe_length(ray.direction_tmax.xyz) + 0x1p-124f;
     cone.apex = end;
     cone.axis = -cone.axis;
     return cone;
@@ -98,24 +100,24 @@ static float cone_radius(const rsh_cone* child, float3 centre)
 
 /* Sine of the widest angle between `axis` and a ray of a child: sin(theta + alpha), where theta
  * is the angle between the axes and alpha the child's half-angle. Cross and dot products of unit
- * vectors that are 6u off in length, products and sums, and cos alpha = sqrt(1 - sin^2) with
- * cos alpha >= 0.05 (error u / 0.1): together below 28u; the padding is 2^-19 = 32u. From 87
+ * vectors that are 16u off in length, products and sums, and cos alpha = sqrt(1 - sin^2) with
+ * cos alpha >= 0.05 (error u / 0.1): together below 48u; the padding is 2^-18 = 64u. From 87
  * degrees on, the cone counts as the whole space. */
 static float cone_sine(const rsh_cone* child, float3 axis)
 {
     float widest = 0.0f;
     for (int k = 0; k < 4; ++k) {
         if (!(child[k].radius >= 0.0f)) continue;
-        const float3 n = cross(child[k].axis, axis);
-        const float sin_theta = sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-        const float cos_theta = dot(child[k].axis, axis);
+        const float3 n = cross3(child[k].axis, axis);
+        const float sin_theta = sqrt(dot3(n, n));
+        const float cos_theta = dot3(child[k].axis, axis);
         const float sin_alpha = child[k].sine;
         const float cos_alpha = sqrt(fmax(0.0f, 1.0f - sin_alpha * sin_alpha));
         if (!(cos_theta * cos_alpha - sin_theta * sin_alpha > 0.05f) || sin_alpha > 1.0f)
             return 2.0f;
         widest = fmax(widest, sin_theta * cos_alpha + cos_theta * sin_alpha);
     }
-    return widest + 0x1p-19f;
+    return widest + 0x1p-18f;
 }
 
 /* The parent of four siblings; a single active child is copied bit for bit. */
@@ -137,6 +139,7 @@ static rsh_cone merge(const rsh_node_quad* quad)
     rsh_cone parent;
     parent.apex = middle_of_apexes(child);
     parent.radius = cone_radius(child, parent.apex);
+    if (!is_finite3(parent.apex) || !isfinite(parent.radius)) return RSH_WHOLE_SPACE;
     const float length_of_sum = safe_length(sum);
     parent.axis = length_of_sum > 0.1f ? sum / length_of_sum : last.axis;
     parent.sine = cone_sine(child, parent.axis);

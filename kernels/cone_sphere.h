@@ -13,11 +13,11 @@
  * rejects spheres behind the origins as well and costs one comparison. Squares are compared, with
  * cos^2 a = 1 - sin^2 a, so that no root is taken.
  *
- * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, cos a from 1 - sin^2 10u down to cos a = 0.05, products
- * and squares 4u|w|: 21u|w| at most, that is 2^-19.6 |w|. A hit that intersect.h reports can lie
- * 2^-20 |v| off, with |v| <= |w| + S. The padding 2^-18 (|w|_1 + S) is larger than both together.
- * Underflow and rounding are monotonic and cannot turn the comparison round; what overflows or is
- * NaN is kept.
+ * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down to
+ * cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that intersect.h reports can
+ * lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S) is 128u. Underflow
+ * and rounding are monotonic and cannot turn the comparison round; what overflows or is NaN is
+ * kept.
  */
 #ifndef RSH_CONE_SPHERE_H
 #define RSH_CONE_SPHERE_H
@@ -45,7 +45,7 @@
         const F sine2 = l->sine * l->sine;                                                    \
         const F cosine2 = 1.0f - sine2;                                                       \
         const F sum = l->radius + l->centre_radius;                                           \
-        const F reach = sum + 0x1p-18f * (fabs(wx) + fabs(wy) + fabs(wz) + sum);              \
+        const F reach = sum + 0x1p-17f * (fabs(wx) + fabs(wy) + fabs(wz) + sum);              \
         const F side = z * l->sine + reach;                                                   \
         const I is_behind = (z < 0.0f) & (q2 * sine2 < z2 * cosine2);                         \
         const I far_side = (side < 0.0f) | (q2 * cosine2 > side * side);                      \

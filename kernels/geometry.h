@@ -60,11 +60,12 @@ static bool is_active(rsh_ray ray)
 }
 
 /* Length without overflow or underflow in the squares; relative error below 2^-20 even where
- * divisions err by 2.5 and square roots by 3 ulp. */
+ * divisions err by 2.5 and square roots by 3 ulp. Infinite if a component is not finite. */
 static float safe_length(float3 v)
 {
     const float scale = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-    if (!(scale > 0.0f) || isinf(scale)) return scale;
+    if (!is_finite3(v)) return INFINITY;
+    if (!(scale > 0.0f)) return 0.0f;
     const float3 w = v / scale;
     return scale * sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
 }

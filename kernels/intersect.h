@@ -11,12 +11,18 @@
  * for a true 0: the ray passes on one side for one triangle and on the other for its neighbour,
  * or on the edge (a hit) for both. No crack, also at vertices; no double-precision fallback.
  *
+ * The plane is scaled by a power of two, so that the farthest corner is 1 to 2 away: exact, and the
+ * products neither overflow nor drown, whatever the scene's unit. A product that underflows errs by
+ * 2^-126 (flushed or denormal; monotonically, so signs are never reversed, but 0 may come of it):
+ * with at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles are seen edge-on.
+ *
  * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
- * vertex - origin): subtracting the origin u, slope sx <= 6u (1 when division is exact), product
- * u, difference 2u: each coordinate is off by at most 11u |.| < 2^-20 |.|. So a reported hit is
- * an exact hit of a triangle whose corners moved by no more than that, sideways; and since the edge
- * values weigh the corners' depths with relative errors of a few u and equal signs, t is off by no
- * more than 2^-20 |.| in depth. traverse_test.cl keeps every pair within that distance.
+ * vertex - origin): subtracting the origin u, slope 6u (1 when division is exact), product u,
+ * difference 2u, the weights' own u: each coordinate is off by at most 11u |.|, on two axes
+ * sqrt(2) 11u. So a reported hit is an exact hit of a triangle whose corners moved by no more than
+ * that, sideways; and since the edge values weigh the corners' depths with relative errors of a
+ * few u and equal signs, t is off by no more than 2^-20 |.| in depth, sqrt(3) 16u along the ray:
+ * together at most 45u |.|. cone_sphere.h keeps every pair within that distance.
  */
 #ifndef RSH_INTERSECT_H
 #define RSH_INTERSECT_H
@@ -37,6 +43,12 @@ typedef struct rsh_hits {
     floatv t, u, v;
 } rsh_hits;
 
+/* The closest hits of some rays so far, a lane each. */
+typedef struct rsh_best {
+    floatv t, u, v;
+    uintv primitive;
+} rsh_best;
+
 static floatv pick_x(rsh_sheared r, floatv x, floatv y, floatv z)
 {
     return select(select(x, z, r.kz_is_y), y, r.kz_is_x);
@@ -51,7 +63,7 @@ static floatv pick_z(rsh_sheared r, floatv x, floatv y, floatv z)
 }
 
 /* tmin is raised to 0 and tmax lowered to the largest float: nothing behind the origin, no t
- * that overflowed. */
+ * that overflowed. A t that underflows to 0 could still lie behind: its sign is tested before. */
 static rsh_sheared shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x, floatv y,
                               floatv z, floatv tmin, floatv tmax)
 {
@@ -89,6 +101,16 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
         ay = pick_y(r, dx, dy, dz) - (r).slope_y * az;            \
     } while (0)
 
+/* The power of two that brings the largest of these to 1 .. 2; from the exponent's bits, kept away
+ * from those of 0 and infinity. */
+static floatv scale_to_one(floatv a, floatv b, floatv c, floatv d, floatv e, floatv f)
+{
+    const floatv largest = fmax(fmax(fmax(fabs(a), fabs(b)), fmax(fabs(c), fabs(d))),
+                                fmax(fabs(e), fabs(f)));
+    const intv exponent = as_intv(largest) & 0x7f800000;
+    return as_floatv(0x7f000000 - min(exponent, (intv)(0x7e800000)));
+}
+
 /* corner[3 * i + axis]: one triangle per lane, or one for all. NaN anywhere ends in a miss. */
 static rsh_hits intersect(rsh_sheared r, const floatv* corner)
 {
@@ -97,6 +119,13 @@ static rsh_hits intersect(rsh_sheared r, const floatv* corner)
     SHEAR_CORNER(r, corner[3], corner[4], corner[5], bx, by, bz);
     SHEAR_CORNER(r, corner[6], corner[7], corner[8], cx, cy, cz);
 
+    const floatv scale = scale_to_one(ax, ay, bx, by, cx, cy);
+    ax *= scale;
+    ay *= scale;
+    bx *= scale;
+    by *= scale;
+    cx *= scale;
+    cy *= scale;
     const floatv U = difference_of_products(cx, by, cy, bx);
     const floatv V = difference_of_products(ax, cy, ay, cx);
     const floatv W = difference_of_products(bx, ay, by, ax);
@@ -106,17 +135,36 @@ static rsh_hits intersect(rsh_sheared r, const floatv* corner)
 
     const floatv area = U + V + W;
     const floatv inverse = (floatv)(1.0f) / area;
-    const floatv a = U * inverse; /* weights of the corners; normalising first keeps products */
-    const floatv b = V * inverse; /* of three coordinates out of the arithmetic               */
+    const floatv b = V * inverse; /* weights of the corners */
     const floatv c = W * inverse;
+    const floatv depth = U * inverse * az + b * bz + c * cz;
+    const intv is_ahead = ((depth >= zero) & (r.inverse_z > zero)) |
+                          ((depth <= zero) & (r.inverse_z < zero));
 
     rsh_hits hits;
-    hits.t = (a * az + b * bz + c * cz) * r.inverse_z;
+    hits.t = depth * r.inverse_z;
     hits.u = b;
     hits.v = c;
-    hits.is_hit = inside & (fabs(area) > zero) & (fabs(area) < (floatv)(INFINITY)) &
+    hits.is_hit = inside & (fabs(area) >= (floatv)(0x1p-102f)) & is_ahead &
                   (hits.t >= r.tmin) & (hits.t <= r.tmax);
     return hits;
+}
+
+static rsh_best no_hits(void)
+{
+    return (rsh_best){(floatv)(0.0f), (floatv)(0.0f), (floatv)(0.0f), (uintv)(RSH_NO_HIT)};
+}
+
+/* Triangles come in ascending order, so of equal t the first one stays. */
+static void keep_closer(rsh_best* best, rsh_hits hits, uint triangle)
+{
+    const intv is_better =
+        hits.is_hit & ((hits.t < best->t) | (best->primitive == (uintv)(RSH_NO_HIT)));
+    if (!any_lane(is_better)) return;
+    best->t = select(best->t, hits.t, is_better);
+    best->u = select(best->u, hits.u, is_better);
+    best->v = select(best->v, hits.v, is_better);
+    best->primitive = select(best->primitive, (uintv)(triangle), as_uintv(is_better));
 }
 
 static void spread_triangle(rsh_triangle triangle, floatv* corner)

@@ -107,8 +107,10 @@ static void offer(const rsh_input* input, rsh_square* square, uint i)
     spread_triangle(triangle, corner);
     const int4 range = blocks_in(square, box);
     for (int y = range.y; y <= range.w; ++y)
-        for (int x = range.x; x <= range.z; ++x)
-            offer_to_block(&square->blocks[y * RSH_COLUMNS + x], corner, i);
+        for (int x = range.x; x <= range.z; ++x) {
+            rsh_block* block = &square->blocks[y * RSH_COLUMNS + x];
+            keep_closer(&block->best, intersect(block->rays, corner), i);
+        }
 }
 
 __kernel void rsh_rasterize_tiles(rsh_screen screen, rsh_mesh mesh, __global const float* vertices,

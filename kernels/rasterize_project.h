@@ -4,11 +4,10 @@
  * l_i >= 0 of sum 1, the ray passes the point Y = sum l_i p_i at a distance of at most
  * sum l_i e_i, and its depth there is as much off. Per component (u = 2^-24, w_i = p_i - eye, |.|
  * its largest component):
- *   2^-20 |w_i|  intersect.h, sideways and along the ray
+ *    16u |w_i|   intersect.h, sideways and along the ray
  *     6u |w_i|   the coordinates below, as rounded: subtraction, products, sums, the row's entries
  *     7u |w_i|   crossing(), which weighs both ends with relative errors
- *   2^-60        products of sheared coordinates below 2^-62, where a device flushes them to zero
- * so e_i = 2^-18 |w_i| + 2^-59 has room to spare. Times the sum of a row's sizes, it bounds the
+ * so e_i = 2^-18 |w_i| has room to spare, and 2^-120 covers what a device flushes to zero. Times the sum of a row's sizes, it bounds the
  * error of that coordinate: E_depth, E_across.
  *
  * The ray itself looks along (1, x', y') with x' within across_padding of the pixel's x, at most
@@ -49,7 +48,7 @@ static rsh_corner corner_of(const rsh_screen* screen, float3 position, float* de
 {
     const float3 w = position - screen->eye_near.xyz;
     const float reach =
-        0x1p-18f * fmax(fabs(w.x), fmax(fabs(w.y), fabs(w.z))) + 0x1p-59f;
+        0x1p-18f * fmax(fabs(w.x), fmax(fabs(w.y), fabs(w.z))) + 0x1p-120f;
     const float across = row_times(screen->across_row, w), down = row_times(screen->down_row, w);
     *depth_error = screen->depth_row.w * reach;
     const float across_error = screen->across_row.w * reach + 2.0f * *depth_error;

@@ -21,8 +21,7 @@
 
 typedef struct rsh_block {
     rsh_sheared rays;
-    floatv t, u, v;
-    uintv primitive;
+    rsh_best best;
 } rsh_block;
 
 typedef struct rsh_square {
@@ -83,8 +82,7 @@ static void begin_block(const rsh_screen* screen, const uint* x, const uint* y, 
                              (floatv)(screen->eye_near.z), direction[0], direction[1],
                              direction[2], (floatv)(screen->eye_near.w),
                              (floatv)(screen->forward_far.w));
-    block->t = block->u = block->v = (floatv)(0.0f);
-    block->primitive = (uintv)(RSH_NO_HIT);
+    block->best = no_hits();
 }
 
 static void begin_square(const rsh_screen* screen, rsh_square* square, __global rsh_ray* rays)
@@ -95,19 +93,6 @@ static void begin_square(const rsh_screen* screen, rsh_square* square, __global 
                     square->y + b / RSH_COLUMNS * RSH_BLOCK_Y, x, y);
         begin_block(screen, x, y, &square->blocks[b], rays);
     }
-}
-
-/* Of equal t the first triangle, that is the lowest, stays. */
-static void offer_to_block(rsh_block* block, const floatv* corner, uint triangle)
-{
-    const rsh_hits hits = intersect(block->rays, corner);
-    const intv is_better =
-        hits.is_hit & ((hits.t < block->t) | (block->primitive == (uintv)(RSH_NO_HIT)));
-    if (!any_lane(is_better)) return;
-    block->t = select(block->t, hits.t, is_better);
-    block->u = select(block->u, hits.u, is_better);
-    block->v = select(block->v, hits.v, is_better);
-    block->primitive = select(block->primitive, (uintv)(triangle), as_uintv(is_better));
 }
 
 /* First and last block of the square, in .xy and .zw, that a box of pixels meets. */
@@ -135,10 +120,10 @@ static void store_square(const rsh_screen* screen, const rsh_square* square,
         const rsh_block* block = &square->blocks[b];
         lane_pixels(square->x + b % RSH_COLUMNS * RSH_BLOCK_X,
                     square->y + b / RSH_COLUMNS * RSH_BLOCK_Y, x, y);
-        store_lanes(block->t, t);
-        store_lanes(block->u, u);
-        store_lanes(block->v, v);
-        store_lanes(block->primitive, primitive);
+        store_lanes(block->best.t, t);
+        store_lanes(block->best.u, u);
+        store_lanes(block->best.v, v);
+        store_lanes(block->best.primitive, primitive);
         for (uint i = 0; i < RSH_WIDTH; ++i) {
             if (x[i] >= screen->width || y[i] >= screen->height) continue;
             const float far = primitive[i] == RSH_NO_HIT ? screen->forward_far.w : t[i];

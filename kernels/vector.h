@@ -16,6 +16,7 @@ typedef float floatv;
 typedef int intv;
 typedef uint uintv;
 #define as_intv as_int
+#define as_floatv as_float
 #define as_uintv as_uint
 #define store_lanes(value, array) ((array)[0] = (value))
 #define load_lanes(array) ((array)[0])
@@ -27,6 +28,7 @@ typedef RSH_JOIN(float, RSH_WIDTH) floatv;
 typedef RSH_JOIN(int, RSH_WIDTH) intv;
 typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define as_intv RSH_JOIN(as_int, RSH_WIDTH)
+#define as_floatv RSH_JOIN(as_float, RSH_WIDTH)
 #define as_uintv RSH_JOIN(as_uint, RSH_WIDTH)
 #define store_lanes(value, array) RSH_JOIN(vstore, RSH_WIDTH)(value, 0, array)
 #define load_lanes(array) RSH_JOIN(vload, RSH_WIDTH)(0, array)

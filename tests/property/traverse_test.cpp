@@ -132,6 +132,48 @@ INSTANTIATE_TEST_SUITE_P(All, Overflow,
                                                                          : "ScanScatter";
                          });
 
+// Nodes may bound rays from where they meet. Rays that run on behind that point, and rays that
+// never were meant to meet, are found all the same.
+TEST(ConvergingRays, HitWhatTheyHitByBruteForce) {
+    test::Random random(13);
+    TraceOptions options = paper(0);
+    options.converging = true;
+    const uint32_t side = test::small() ? 12 : 61;
+    for (const float scale : {1.0f, 1e-9f, 1e9f, 1e18f})
+        for (const test::Float3 light : {test::Float3(0.2f, 0.9f, 0.1f), {40, 3, -7}}) {
+            const DeviceMesh mesh(scaled(test::random_soup(random, side * 9), scale, {}));
+            const test::Rays rays =
+                scaled(test::converging_rays(random, side, side, light), scale, {});
+            EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options),
+                                        closest_hits(mesh, rays, brute_force()), "hits"))
+                << "scale " << scale;
+        }
+    const DeviceMesh mesh(test::random_soup(random, 200));
+    const test::Rays any = test::random_rays(random, side, 7);
+    EXPECT_TRUE(test::same_bits(closest_hits(mesh, any, options),
+                                closest_hits(mesh, any, brute_force()), "hits of any rays"));
+}
+
+TEST(ConvergingRays, LeaveFewerPairs) {
+    test::Random random(14);
+    const DeviceMesh mesh(test::random_soup(random, 2000));
+    const test::Rays rays = test::converging_rays(random, 48, 48, {0.2f, 0.9f, 0.1f});
+    cl_ulong pairs[2] = {};
+    for (const bool converging : {false, true}) {
+        const test::OwnContext context;
+        RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
+        TraceOptions options = paper(0);
+        options.context = context.get();
+        options.converging = converging;
+        closest_hits(mesh, rays, options);
+        rsh_statistics s = {};
+        s.struct_size = sizeof s;
+        RSH_CHECK(rsh_get_statistics(context.get(), &s));
+        for (const cl_ulong level : s.pairs_tested) pairs[converging] += level;
+    }
+    EXPECT_LT(pairs[true], pairs[false]);
+}
+
 // Every width is a program of its own.
 TEST(TraverseHits, AreTheSameWithEveryVectorWidth) {
     test::Random random(12);

@@ -90,6 +90,17 @@ void add_adversarial(std::vector<NamedCase>& cases) {
     cases.push_back({"ScaleLarge", [](Random& r) { return at_scale(r, 1e9f); }});
     cases.push_back({"ScaleSmall", [](Random& r) { return at_scale(r, 1e-9f); }});
     cases.push_back({"ScaleTiny", [](Random& r) { return at_scale(r, 1e-18f); }});
+    cases.push_back({"LongDirections", [](Random&) {
+                         Mesh mesh;
+                         mesh.add({-1e-12f, -1e-12f, -1e-8f}, {1e-12f, -1e-12f, -1e-8f},
+                                  {0, 1e-12f, -1e-8f});
+                         return Case{mesh, long_rays(8, 8)};
+                     }});
+    cases.push_back({"FarApart", [](Random&) {
+                         Mesh mesh;
+                         mesh.add({99, -1, 5}, {101, -1, 5}, {100, 1, 5});
+                         return Case{mesh, far_apart_rays(256)};
+                     }});
 }
 
 // Sizes where an off-by-one lives; a group is 64 or 256 nearly everywhere.

@@ -148,6 +148,33 @@ Rays fan_rays(uint32_t width, uint32_t height, float degrees) {
     });
 }
 
+Rays converging_rays(Random& random, uint32_t width, uint32_t height, Float3 light) {
+    Rays rays = random_rays(random, width, height);
+    for (size_t i = 0; i < rays.rays.size(); ++i) {
+        const float tmax = i % 7 == 0 ? 0.4f : i % 97 == 0 ? 3.0f : 1 - 0x1p-16f;
+        rays.rays[i] = make_ray(origin(rays.rays[i]), light - origin(rays.rays[i]), 0, tmax);
+    }
+    return rays;
+}
+
+Rays long_rays(uint32_t width, uint32_t height) {
+    Rays rays{{}, width, height};
+    for (uint32_t i = 0; i < width * height; ++i)
+        rays.rays.push_back(make_ray({0, 0, 0}, {0, 0, i % 2 ? 1e38f : -1e38f}));
+    return rays;
+}
+
+Rays far_apart_rays(uint32_t count) {
+    Rays rays{{}, count, 1};
+    for (uint32_t i = 0; i < count; ++i) {
+        const Float3 from = i < 2    ? Float3(i ? -3e38f : 3e38f, i ? -3e38f : 3e38f, 0)
+                            : i < 16 ? Float3(100, 0, 0)
+                                     : Float3(0, 0, 0);
+        rays.rays.push_back(make_ray(from, {0, 0, 1}));
+    }
+    return rays;
+}
+
 Rays invalid_rays(Random& random, uint32_t width, uint32_t height) {
     return fill(width, height, [&](uint32_t, uint32_t) {
         if (random.chance(0.5f)) return invalid_ray(random);

@@ -52,6 +52,16 @@ Rays coincident_rays(uint32_t width, uint32_t height);
 // Directions over `degrees` of arc from one origin: 90, 180 and beyond.
 Rays fan_rays(uint32_t width, uint32_t height, float degrees);
 
+// From all around to one point, where t = 1: shadow rays of a point light at `light`. Some end
+// before it, a few run on behind it.
+Rays converging_rays(Random& random, uint32_t width, uint32_t height, Float3 light);
+
+// Directions so long, both ways, that every t underflows.
+Rays long_rays(uint32_t width, uint32_t height);
+
+// A list of rays along +z whose first ones start so far apart that their distance overflows.
+Rays far_apart_rays(uint32_t count);
+
 // Inactive in every way there is, between active ones; short and empty intervals, denormals.
 Rays invalid_rays(Random& random, uint32_t width, uint32_t height);
 

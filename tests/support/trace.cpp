@@ -23,7 +23,7 @@ public:
         desc.engine = options.engine;
         desc.strategy = options.strategy;
         desc.budget = options.budget;
-        if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes();
+        if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes(options.converging);
         if (options.own_spheres) add_spheres(mesh);
         own_scratch_ = options.own_scratch;
     }
@@ -45,12 +45,13 @@ public:
     rsh_traverse_desc desc = {};
 
 private:
-    void add_nodes() {
+    void add_nodes(bool converging) {
         rsh_build_desc build = {};
         build.struct_size = sizeof build;
         build.rays = desc.rays;
         build.width = desc.width;
         build.height = desc.height;
+        build.converging = converging;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_build_query(context_, &build, &sizes, nullptr));

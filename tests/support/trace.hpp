@@ -40,6 +40,7 @@ struct TraceOptions {
     size_t budget = 0;
     bool own_scratch = false;       // the caller's scratch instead of the context's pool
     bool own_spheres = false;       // from rsh_bound instead of made in scratch
+    bool converging = false;        // nodes bound the rays from t = 1
     rsh_context context = nullptr;  // null: the device's
 };
 
