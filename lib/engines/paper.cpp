@@ -15,6 +15,8 @@ namespace {
 constexpr size_t kDefaultBudget = 64u << 20;
 // A pair that is tested takes four candidates and, if all survive, four places behind them.
 constexpr size_t kBytesPerTest = 8 * sizeof(rsh_pair);
+// Its four candidates are counted in 32 bits.
+constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
 
 // Pairs that a level can test. Never more than the scene can make: one per triangle and node of
 // level 1, the finest that is tested.
@@ -22,7 +24,8 @@ cl_uint limit_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
     const size_t budget = desc.budget ? desc.budget : kDefaultBudget;
     const cl_ulong finest = cl_ulong{levels.width[1]} * levels.height[1];
     const cl_ulong possible = std::max<cl_ulong>(1, desc.geometry.triangle_count * finest);
-    return static_cast<cl_uint>(std::min<cl_ulong>(budget / kBytesPerTest, possible));
+    return static_cast<cl_uint>(
+        std::min({cl_ulong{budget / kBytesPerTest}, possible, kMaxLimit}));
 }
 
 // The stream at a level holds at most a batch times the level's nodes.
