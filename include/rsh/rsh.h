@@ -21,8 +21,11 @@
  *              was nothing to do. In-order and out-of-order queues both work.
  *              rsh_frame, rsh_get_statistics and rsh_create_context may block, and say so.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
- *              context's pool, which grows on first use and then stays. Contents are undefined
- *              before and after; one scratch buffer serves one call at a time.
+ *              context's pool, which grows on first use and then stays: a block per in-order
+ *              queue in use, and on out-of-order queues one per call under way, but that a call
+ *              which waits for the event of another takes over its block. No call waits for
+ *              another because of it. Contents are undefined before and after; one scratch buffer
+ *              serves one call at a time.
  *   Errors     Every argument is checked before anything is enqueued; a status other than
  *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure in
  *              the middle of a call, when they are undefined. rsh_last_error() says more.

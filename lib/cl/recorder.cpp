@@ -6,6 +6,7 @@ namespace rsh {
 
 Recorder::Recorder(Context& context, const Submission& submission)
     : context_(context), queue_(submission.queue, true) {
+    waits_.reserve(submission.wait_count + 1);  // to keep the last command is not to fail
     for (cl_uint i = 0; i < submission.wait_count; ++i)
         waits_.emplace_back(submission.wait_list[i], true);
 }
@@ -13,7 +14,7 @@ Recorder::Recorder(Context& context, const Submission& submission)
 // Also after a failure in the middle: what was enqueued may still use the blocks.
 Recorder::~Recorder() {
     for (ScratchBlock& block : blocks_) {
-        if (!waits_.empty()) block.last_use = waits_.back();
+        if (enqueued_) block.last_use = waits_.front();
         context_.pool.give_back(std::move(block));
     }
 }
@@ -34,8 +35,13 @@ void Recorder::enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& 
 }
 
 void Recorder::record(cl_uint stage, const cl::Event& event) {
+    continue_after(event);
     context_.statistics.add_command(stage, event);
+}
+
+void Recorder::continue_after(const cl::Event& event) {
     waits_.assign(1, event);
+    enqueued_ = true;
 }
 
 // On CPUs a group is a task: single items, a few per core to balance uneven runs.
@@ -59,7 +65,7 @@ void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use)
     queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0, word_count * sizeof(cl_uint),
                              read.words(), waits(), &event);
     read.began(event);
-    waits_.assign(1, event);
+    continue_after(event);
     context_.statistics.add_read(std::move(read));
 }
 
@@ -73,17 +79,17 @@ cl_uint Recorder::read_now(cl_mem buffer) {
     return word;
 }
 
-ScratchBlock& Recorder::keep(ScratchBlock block) {
-    if (block.last_use()) waits_.push_back(block.last_use);
-    blocks_.push_back(std::move(block));
-    return blocks_.back();
+cl_mem Recorder::borrow_scratch(size_t bytes) {
+    blocks_.reserve(blocks_.size() + 1);  // what is borrowed is given back
+    blocks_.push_back(context_.pool.borrow(bytes, queue_, waits_));
+    return blocks_.back().buffer();
 }
 
 void Recorder::finish(cl_event* done) {
     if (!done) return;
     cl::Event event;
     queue_.enqueueMarkerWithWaitList(waits(), &event);
-    waits_.assign(1, event);
+    continue_after(event);
     *done = event();
     clRetainEvent(*done);
 }

@@ -59,8 +59,8 @@ public:
     // BLOCKS for the word; rsh_frame only.
     cl_uint read_now(cl_mem buffer);
 
-    // Memory that must stay untouched by others until this call's commands ended.
-    ScratchBlock& keep(ScratchBlock block);
+    // Memory of the context's pool that no other call touches until this call's commands ended.
+    cl_mem borrow_scratch(size_t bytes);
 
     // Hands the caller an event that ends after everything recorded.
     void finish(cl_event* done);
@@ -87,11 +87,13 @@ private:
     void enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
                  const Range& range);
     void record(cl_uint stage, const cl::Event& event);
+    void continue_after(const cl::Event& event);
     const std::vector<cl::Event>* waits() const { return waits_.empty() ? nullptr : &waits_; }
 
     Context& context_;
     cl::CommandQueue queue_;
     std::vector<cl::Event> waits_;  // of the next command: the caller's, then the last command
+    bool enqueued_ = false;         // anything: waits_ is the last command
     std::vector<ScratchBlock> blocks_;
 };
 

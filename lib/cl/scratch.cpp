@@ -24,8 +24,7 @@ Span span_of(cl_mem memory) {
 
 Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given) {
     if (layout.bytes() == 0) return;
-    ScratchPool& pool = recorder.context().pool;
-    const Span span = span_of(given ? given : recorder.keep(pool.borrow(layout.bytes())).buffer());
+    const Span span = span_of(given ? given : recorder.borrow_scratch(layout.bytes()));
     for (const Layout::Part& part : layout.parts()) {
         if (part.bytes == 0) continue;
         const cl_buffer_region region = {span.offset + part.offset, part.bytes};
