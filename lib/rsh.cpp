@@ -18,18 +18,20 @@
 namespace rsh {
 namespace {
 
-// Checks everything, then lets `pass` enqueue, then hands out the event.
+// Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so also
+// when `pass` throws.
 template <class Desc, class Pass>
 rsh_status enqueue(rsh_context context, const Submission& submission, const Desc* desc,
                    cl_event* done, Pass pass) {
     return guarded([&] {
+        if (done) *done = nullptr;
         Context& checked = checked_context(context);
         const Desc copy = checked_desc(desc);
         check_submission(checked, submission.queue, submission.wait_count, submission.wait_list);
         check(checked, copy);
-        Recorder recorder(checked, submission);
+        Recorder recorder(checked, submission, done);
         pass(recorder, copy);
-        recorder.finish(done);
+        recorder.finish();
     });
 }
 

@@ -16,9 +16,11 @@
  *              takes its default. They grow only at the end. Host data they point at (a wait
  *              list, a level table) is read before the call returns.
  *   Async      A function with (wait_count, wait_list, done) only enqueues: it waits for no event,
- *              flushes nothing, reads nothing back. *done, if `done` is not NULL, is always a valid
- *              event of the caller's that ends after everything the call enqueued, also when there
- *              was nothing to do. In-order and out-of-order queues both work.
+ *              flushes nothing, reads nothing back. *done, if `done` is not NULL, is a valid event
+ *              of the caller's that ends after everything the call enqueued, also when there was
+ *              nothing to do; after a failure it is NULL if nothing was enqueued, else as ever:
+ *              until then commands use the call's buffers. As in OpenCL, `done` must not point into
+ *              wait_list. In-order and out-of-order queues both work.
  *              rsh_frame, rsh_get_statistics and rsh_create_context may block, and say so.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
  *              context's pool, which grows on first use and then stays: a block per in-order
@@ -27,8 +29,9 @@
  *              another because of it. Contents are undefined before and after; one scratch buffer
  *              serves one call at a time.
  *   Errors     Every argument is checked before anything is enqueued; a status other than
- *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure in
- *              the middle of a call, when they are undefined. rsh_last_error() says more.
+ *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure or
+ *              RSH_CANCELLED in the middle of a call, when they are undefined and *done tells
+ *              when their memory is free again. rsh_last_error() says more.
  *   Threads    Any function may be called from any thread. Calls on one context run side by side
  *              if their output buffers differ; rsh_release_context must be the last call on it.
  *   Exactness  Hits do not depend on engine, strategy, budget or the order in which work-items
@@ -115,7 +118,8 @@ typedef struct rsh_context_desc {
 RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);
 
 /* Frees a context made by rsh_create_context, its programs and its scratch memory, once the
- * commands enqueued by its calls have finished. NULL is ignored. */
+ * commands enqueued by its calls have finished; does not wait for them. While counting, the library
+ * must stay loaded until then. NULL is ignored. */
 RSH_API void rsh_release_context(rsh_context context);
 
 /* Picks a device, for programs that have no context of their own: the first whose name, or whose
@@ -163,11 +167,13 @@ typedef struct rsh_statistics {
 } rsh_statistics;
 
 /* Starts (enabled = 1) or stops counting on this context, from zero. Counting costs a few
- * percent; without it, no event is kept and no counter kernel runs. */
+ * percent; without it, no event is kept and no counter kernel runs. Does not wait: what was
+ * enqueued before is not counted. */
 RSH_API rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled);
 
-/* Adds up everything enqueued since rsh_count_statistics. BLOCKS until those commands ended.
- * Set statistics->struct_size first. */
+/* Adds up everything enqueued since rsh_count_statistics. BLOCKS until those commands ended, but
+ * not the calls of other threads. Commands that failed count as launches and nothing more. Set
+ * statistics->struct_size first. */
 RSH_API rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics);
 
 /* ---- what a scene needs ---- */

@@ -4,8 +4,8 @@
 
 namespace rsh {
 
-Recorder::Recorder(Context& context, const Submission& submission)
-    : context_(context), queue_(submission.queue, true) {
+Recorder::Recorder(Context& context, const Submission& submission, cl_event* done)
+    : context_(context), queue_(submission.queue, true), done_(done) {
     waits_.reserve(submission.wait_count + 1);  // to keep the last command is not to fail
     for (cl_uint i = 0; i < submission.wait_count; ++i)
         waits_.emplace_back(submission.wait_list[i], true);
@@ -13,6 +13,7 @@ Recorder::Recorder(Context& context, const Submission& submission)
 
 // Also after a failure in the middle: what was enqueued may still use the blocks.
 Recorder::~Recorder() {
+    hand_out_last();
     for (ScratchBlock& block : blocks_) {
         if (enqueued_) block.last_use = waits_.front();
         context_.pool.give_back(std::move(block));
@@ -85,13 +86,18 @@ cl_mem Recorder::borrow_scratch(size_t bytes) {
     return blocks_.back().buffer();
 }
 
-void Recorder::finish(cl_event* done) {
-    if (!done) return;
+// Without a command of its own the call's event is that of the wait list.
+void Recorder::finish() {
+    if (!done_) return;
     cl::Event event;
     queue_.enqueueMarkerWithWaitList(waits(), &event);
     continue_after(event);
-    *done = event();
-    clRetainEvent(*done);
+}
+
+void Recorder::hand_out_last() const noexcept {
+    if (!done_ || !enqueued_) return;
+    *done_ = waits_.front()();
+    clRetainEvent(*done_);
 }
 
 }  // namespace rsh

@@ -26,7 +26,9 @@ struct Range {
 
 class Recorder {
 public:
-    Recorder(Context& context, const Submission& submission);
+    // `done` may be NULL. The destructor sets *done to the last command, also after a failure in
+    // the middle, so that the caller learns when its buffers are free again.
+    Recorder(Context& context, const Submission& submission, cl_event* done);
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
@@ -62,8 +64,8 @@ public:
     // Memory of the context's pool that no other call touches until this call's commands ended.
     cl_mem borrow_scratch(size_t bytes);
 
-    // Hands the caller an event that ends after everything recorded.
-    void finish(cl_event* done);
+    // Makes the caller's event: one that ends after everything recorded, or waited for.
+    void finish();
 
 private:
     struct Borrowed {
@@ -88,10 +90,12 @@ private:
                  const Range& range);
     void record(cl_uint stage, const cl::Event& event);
     void continue_after(const cl::Event& event);
+    void hand_out_last() const noexcept;
     const std::vector<cl::Event>* waits() const { return waits_.empty() ? nullptr : &waits_; }
 
     Context& context_;
     cl::CommandQueue queue_;
+    cl_event* done_;
     std::vector<cl::Event> waits_;  // of the next command: the caller's, then the last command
     bool enqueued_ = false;         // anything: waits_ is the last command
     std::vector<ScratchBlock> blocks_;
