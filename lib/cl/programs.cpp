@@ -20,8 +20,26 @@ constexpr double kSlowSeconds = 0.2;
 struct Programs::Program {
     std::mutex mutex;
     cl::Program program;
-    std::map<std::string, std::vector<cl::Kernel>> idle;
+    std::map<std::string, IdleKernels> idle;
 };
+
+cl::Kernel IdleKernels::take(const cl::Program& program, const char* name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (idle_.empty()) {
+        idle_.reserve(made_ + 1);
+        cl::Kernel kernel(program, name);
+        ++made_;
+        return kernel;
+    }
+    cl::Kernel kernel = std::move(idle_.back());
+    idle_.pop_back();
+    return kernel;
+}
+
+void IdleKernels::give_back(cl::Kernel kernel) noexcept {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(kernel));
+}
 
 Programs::Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
                    std::string options, std::string cache_folder, std::string kernel_folder)
@@ -42,21 +60,12 @@ Programs::Program& Programs::program(const KernelName& name) {
     return *found;
 }
 
-cl::Kernel Programs::borrow(const KernelName& name) {
+BorrowedKernel Programs::borrow(const KernelName& name) {
     Program& entry = program(name);
     const std::lock_guard<std::mutex> lock(entry.mutex);
     if (!entry.program()) entry.program = make(name);
-    std::vector<cl::Kernel>& idle = entry.idle[name.kernel];
-    if (idle.empty()) return cl::Kernel(entry.program, name.kernel);
-    cl::Kernel kernel = std::move(idle.back());
-    idle.pop_back();
-    return kernel;
-}
-
-void Programs::give_back(const KernelName& name, cl::Kernel kernel) {
-    Program& entry = program(name);
-    const std::lock_guard<std::mutex> lock(entry.mutex);
-    entry.idle[name.kernel].push_back(std::move(kernel));
+    IdleKernels& idle = entry.idle[name.kernel];
+    return {idle, idle.take(entry.program, name.kernel)};
 }
 
 cl::Program Programs::make(const KernelName& name) {
@@ -82,7 +91,7 @@ cl::Program Programs::load(const std::string& key, const std::string& options) {
         program.build({device_}, options.c_str());
         ++loaded_;
         return program;
-    } catch (const cl::Error&) {
+    } catch (const std::exception&) {
         return {};
     }
 }
@@ -110,7 +119,7 @@ void Programs::store(const std::string& key, const cl::Program& program) const {
         const auto devices = program.getInfo<CL_PROGRAM_DEVICES>();
         for (size_t i = 0; i < devices.size(); ++i)
             if (devices[i]() == device_()) cache_.store(key, binaries[i]);
-    } catch (const cl::Error&) {
+    } catch (const std::exception&) {
         return;
     }
 }

@@ -24,14 +24,41 @@ struct KernelName {
     std::string options = {};
 };
 
+// Kernel objects of one kernel that no call holds at the moment.
+class IdleKernels {
+public:
+    cl::Kernel take(const cl::Program& program, const char* name);
+    void give_back(cl::Kernel kernel) noexcept;
+
+private:
+    std::mutex mutex_;
+    std::vector<cl::Kernel> idle_;  // has room for all that were made
+    size_t made_ = 0;
+};
+
+// A kernel object of one's own for a while.
+class BorrowedKernel {
+public:
+    BorrowedKernel(IdleKernels& home, cl::Kernel kernel)
+        : home_(home), kernel_(std::move(kernel)) {}
+    ~BorrowedKernel() { home_.give_back(std::move(kernel_)); }
+    BorrowedKernel(const BorrowedKernel&) = delete;
+    BorrowedKernel& operator=(const BorrowedKernel&) = delete;
+
+    cl::Kernel& operator*() { return kernel_; }
+
+private:
+    IdleKernels& home_;
+    cl::Kernel kernel_;
+};
+
 class Programs {
 public:
     Programs(cl::Context context, cl::Device device, const DeviceCaps& caps, std::string options,
              std::string cache_folder, std::string kernel_folder);
     ~Programs();
 
-    cl::Kernel borrow(const KernelName& name);
-    void give_back(const KernelName& name, cl::Kernel kernel);
+    BorrowedKernel borrow(const KernelName& name);
 
     unsigned built() const { return built_; }
     unsigned loaded() const { return loaded_; }

@@ -41,10 +41,10 @@ public:
     void launch(cl_uint stage, const KernelName& name, const Range& range,
                 const Arguments&... arguments) {
         if (range.items == 0) return;
-        Borrowed kernel(context_.programs, name);
+        BorrowedKernel kernel = context_.programs.borrow(name);
         cl_uint index = 0;
-        (set_argument(kernel.object, index++, arguments), ...);
-        enqueue(stage, name, kernel.object, range);
+        (set_argument(*kernel, index++, arguments), ...);
+        enqueue(stage, name, *kernel, range);
     }
 
     // One work-item per element, in groups of the device's usual size.
@@ -68,17 +68,6 @@ public:
     void finish();
 
 private:
-    struct Borrowed {
-        Borrowed(Programs& owner, const KernelName& kernel_name)
-            : programs(owner), name(kernel_name), object(owner.borrow(kernel_name)) {}
-        ~Borrowed() { programs.give_back(name, object); }
-        Borrowed(const Borrowed&) = delete;
-        Borrowed& operator=(const Borrowed&) = delete;
-        Programs& programs;
-        const KernelName& name;
-        cl::Kernel object;
-    };
-
     static void set_argument(cl::Kernel& kernel, cl_uint index, cl_mem buffer) {
         kernel.setArg(index, sizeof buffer, &buffer);
     }
