@@ -17,6 +17,8 @@ namespace {
 
 constexpr char kMagic[8] = {'r', 's', 'h', '-', 'b', 'i', 'n', '1'};
 constexpr const char* kSuffix = ".rshbin";
+constexpr const char* kTemporarySuffix = ".tmp";
+constexpr std::chrono::hours kOrphanAge{1};  // no write takes that long
 
 // FNV-1a; two of them with different seeds name a file, one guards its contents.
 uint64_t hash(const void* data, size_t bytes, uint64_t seed) {
@@ -34,7 +36,29 @@ std::string environment(const char* name) {
 // Unique among processes and threads that store the same program at the same time.
 std::string temporary_suffix() {
     static std::atomic<unsigned> counter{0};
-    return "." + std::to_string(std::random_device{}()) + "." + std::to_string(counter++) + ".tmp";
+    return "." + std::to_string(std::random_device{}()) + "." + std::to_string(counter++) +
+           kTemporarySuffix;
+}
+
+// Other files in the folder are not ours to touch.
+bool is_orphan(const fs::directory_entry& entry) {
+    const fs::path& path = entry.path();
+    if (path.extension() != kTemporarySuffix) return false;
+    if (path.filename().string().find(std::string(kSuffix) + ".") == std::string::npos) return false;
+    std::error_code failed;
+    const fs::file_time_type written = entry.last_write_time(failed);
+    return !failed && written < fs::file_time_type::clock::now() - kOrphanAge;
+}
+
+// What `work` returns, or as good as nothing: reading a folder throws in iostreams, entropy may be
+// missing, memory too.
+template <class Work>
+auto unless_it_fails(Work work) noexcept -> decltype(work()) {
+    try {
+        return work();
+    } catch (const std::exception&) {
+        return {};
+    }
 }
 
 std::string file_header(const std::string& key, const std::vector<unsigned char>& binary) {
@@ -62,7 +86,31 @@ std::string BinaryCache::path_of(const std::string& key) const {
     return folder_ + "/" + name + kSuffix;
 }
 
-std::optional<std::vector<unsigned char>> BinaryCache::load(const std::string& key) const {
+std::optional<std::vector<unsigned char>> BinaryCache::load(
+    const std::string& key) const noexcept {
+    return unless_it_fails([&] { return read(key); });
+}
+
+bool BinaryCache::was_wanted(const std::string& key) const noexcept {
+    return unless_it_fails([&] {
+        if (folder_.empty()) return false;
+        if (fs::exists(path_of(key))) return true;
+        write(key, {});
+        return false;
+    });
+}
+
+void BinaryCache::store(const std::string& key,
+                        const std::vector<unsigned char>& binary) const noexcept {
+    unless_it_fails([&] {
+        if (folder_.empty() || binary.empty()) return false;
+        write(key, binary);
+        evict();
+        return true;
+    });
+}
+
+std::optional<std::vector<unsigned char>> BinaryCache::read(const std::string& key) const {
     if (folder_.empty()) return {};
     const std::string path = path_of(key);
     std::ifstream file(path, std::ios::binary);
@@ -76,20 +124,6 @@ std::optional<std::vector<unsigned char>> BinaryCache::load(const std::string& k
     std::error_code ignored;
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
     return binary;
-}
-
-bool BinaryCache::was_wanted(const std::string& key) const {
-    if (folder_.empty()) return false;
-    std::error_code failed;
-    if (fs::exists(path_of(key), failed)) return true;
-    write(key, {});
-    return false;
-}
-
-void BinaryCache::store(const std::string& key, const std::vector<unsigned char>& binary) const {
-    if (folder_.empty() || binary.empty()) return;
-    write(key, binary);
-    evict();
 }
 
 void BinaryCache::write(const std::string& key, const std::vector<unsigned char>& binary) const {
@@ -117,16 +151,18 @@ void BinaryCache::evict() const {
     std::vector<File> files;
     uint64_t total = 0;
     std::error_code failed;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failed)) {
-        if (entry.path().extension() != kSuffix) continue;
-        const File file = {entry.last_write_time(failed), entry.file_size(failed), entry.path()};
+    for (fs::directory_iterator at(folder_), end; at != end; at.increment(failed)) {
+        if (is_orphan(*at)) fs::remove(at->path(), failed);
+        if (at->path().extension() != kSuffix) continue;
+        const File file = {at->last_write_time(failed), failed ? 0 : at->file_size(failed),
+                           at->path()};
         if (failed) continue;  // another process evicts as well
         files.push_back(file);
         total += file.bytes;
     }
     std::sort(files.begin(), files.end(),
               [](const File& a, const File& b) { return a.used < b.used; });
-    for (size_t i = 0; i < files.size() && total > kMaxBytes; ++i) {
+    for (size_t i = 0; i < files.size() && total > max_bytes_; ++i) {
         fs::remove(files[i].path, failed);
         total -= files[i].bytes;
     }
