@@ -26,21 +26,30 @@ rsh_status enqueue(rsh_context context, const Submission& submission, const Desc
     return guarded([&] {
         if (done) *done = nullptr;
         Context& checked = checked_context(context);
-        const Desc copy = checked_desc(desc);
+        const Received<Desc> received(desc);
         check_submission(checked, submission.queue, submission.wait_count, submission.wait_list);
-        check(checked, copy);
+        check_shape(*received);
+        check_buffers(checked, *received);
         Recorder recorder(checked, submission, done);
-        pass(recorder, copy);
+        pass(recorder, *received);
         recorder.finish();
     });
 }
 
-void set_sizes(rsh_sizes* sizes, size_t output_bytes, size_t scratch_bytes) {
-    require_not_null(sizes, "sizes");
-    require(sizes->struct_size == sizeof(rsh_sizes), "sizes.struct_size", sizes->struct_size,
-            std::to_string(sizeof(rsh_sizes)));
-    sizes->output_bytes = output_bytes;
-    sizes->scratch_bytes = scratch_bytes;
+// Checks all but the buffers, then lets `measure` tell the sizes.
+template <class Desc, class Measure>
+rsh_status query(rsh_context context, const Desc* desc, rsh_sizes* sizes, Measure measure) {
+    return guarded([&] {
+        const Context& checked = checked_context(context);
+        const Received<Desc> received(desc);
+        check_struct(sizes, "sizes", "sizes.struct_size");
+        check_shape(*received);
+        hand_back(measure(checked, *received), sizes);
+    });
+}
+
+rsh_sizes sizes_of(size_t output_bytes, size_t scratch_bytes) {
+    return {sizeof(rsh_sizes), output_bytes, scratch_bytes};
 }
 
 const char* status_text(rsh_status status) {
@@ -95,10 +104,10 @@ rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context
     return rsh::guarded([&] {
         rsh::require_not_null(context, "context");
         *context = nullptr;
-        const rsh_context_desc copy = rsh::checked_desc(desc);
-        rsh::require_not_null(copy.context, "context");
-        rsh::require_not_null(copy.device, "device");
-        *context = new rsh_context_s(copy);
+        const rsh::Received<rsh_context_desc> received(desc);
+        rsh::require_not_null(received->context, "context");
+        rsh::require_not_null(received->device, "device");
+        *context = new rsh_context_s(*received);
     });
 }
 
@@ -121,33 +130,33 @@ rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled) {
 rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics) {
     return rsh::guarded([&] {
         rsh::Context& checked = rsh::checked_context(context);
-        const size_t size = rsh::checked_desc(statistics).struct_size;
-        *statistics = checked.statistics.sum();
-        statistics->struct_size = size;
-        statistics->programs_built = checked.programs.built();
-        statistics->programs_loaded = checked.programs.loaded();
-        statistics->scratch_bytes = checked.pool.bytes();
+        rsh::check_struct(statistics, "statistics", "statistics.struct_size");
+        rsh_statistics sums = checked.statistics.sum();
+        sums.programs_built = checked.programs.built();
+        sums.programs_loaded = checked.programs.loaded();
+        sums.scratch_bytes = checked.pool.bytes();
+        rsh::hand_back(sums, statistics);
     });
 }
 
 rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
                              const rsh_light* lights) {
     return rsh::guarded([&] {
-        rsh::require_not_null(scene, "scene");
+        rsh::check_struct(scene, "scene", "scene.struct_size");
         if (scene->material_count) rsh::require_not_null(materials, "materials");
         if (scene->light_count) rsh::require_not_null(lights, "lights");
         rsh::require(scene->light_count <= RSH_MAX_LIGHTS, "scene.light_count",
                      scene->light_count, "at most " + std::to_string(RSH_MAX_LIGHTS));
-        rsh::find_features(*scene, materials, lights);
+        rsh_scene found = rsh::widened(scene);
+        rsh::find_features(found, materials, lights);
+        rsh::hand_back(found, scene);
     });
 }
 
 rsh_status rsh_rasterize_query(rsh_context context, const rsh_rasterize_desc* desc,
                                rsh_sizes* sizes) {
-    return rsh::guarded([&] {
-        const rsh::Context& checked = rsh::checked_context(context);
-        const rsh_rasterize_desc copy = rsh::checked_desc(desc);
-        rsh::set_sizes(sizes, 0, rsh::rasterize_scratch(checked, copy).bytes());
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(0, rsh::rasterize_scratch(own, checked).bytes());
     });
 }
 
@@ -158,10 +167,8 @@ rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
 }
 
 rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc, rsh_sizes* sizes) {
-    return rsh::guarded([&] {
-        rsh::checked_context(context);
-        const rsh_bound_desc copy = rsh::checked_desc(desc);
-        rsh::set_sizes(sizes, size_t{copy.geometry.triangle_count} * 16, 0);
+    return rsh::query(context, desc, sizes, [](const auto&, const auto& checked) {
+        return rsh::sizes_of(size_t{checked.geometry.triangle_count} * 16, 0);
     });
 }
 
@@ -172,13 +179,10 @@ rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_boun
 
 rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes,
                            rsh_levels* levels) {
-    return rsh::guarded([&] {
-        rsh::checked_context(context);
-        const rsh_build_desc copy = rsh::checked_desc(desc);
-        rsh::check_ray_grid(copy.width, copy.height);
-        const rsh_levels shape = rsh::levels_of(copy.width, copy.height);
-        rsh::set_sizes(sizes, rsh::node_bytes(shape), 0);
+    return rsh::query(context, desc, sizes, [levels](const auto&, const auto& checked) {
+        const rsh_levels shape = rsh::levels_of(checked.width, checked.height);
         if (levels) *levels = shape;
+        return rsh::sizes_of(rsh::node_bytes(shape), 0);
     });
 }
 
@@ -189,14 +193,11 @@ rsh_status rsh_build(rsh_context context, cl_command_queue queue, const rsh_buil
 
 rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc,
                               rsh_sizes* sizes) {
-    return rsh::guarded([&] {
-        const rsh::Context& checked = rsh::checked_context(context);
-        const rsh_traverse_desc copy = rsh::checked_desc(desc);
-        rsh::check_ray_grid(copy.width, copy.height);
-        const rsh::Engine& engine = rsh::find_engine(copy.engine);
-        const cl_ulong rays = rsh::ray_count(rsh::levels_of(copy.width, copy.height));
-        rsh::set_sizes(sizes, rays * (copy.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
-                       engine.scratch(checked, copy, rsh::spheres_of(copy)).bytes());
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        const rsh::Engine& engine = rsh::find_engine(checked.engine);
+        const cl_ulong rays = rsh::ray_count(rsh::levels_of(checked.width, checked.height));
+        return rsh::sizes_of(rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
+                             engine.scratch(own, checked, rsh::spheres_of(checked)).bytes());
     });
 }
 
@@ -221,12 +222,9 @@ rsh_status rsh_shade(rsh_context context, cl_command_queue queue, const rsh_shad
 }
 
 rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc, rsh_sizes* sizes) {
-    return rsh::guarded([&] {
-        const rsh::Context& checked = rsh::checked_context(context);
-        const rsh_frame_desc copy = rsh::checked_desc(desc);
-        rsh::check(checked, copy.scene);
-        rsh::set_sizes(sizes, size_t{copy.width} * copy.height * sizeof(rsh_float4),
-                       rsh::frame_scratch(checked, copy).bytes());
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(size_t{checked.width} * checked.height * sizeof(rsh_float4),
+                             rsh::frame_scratch(own, checked).bytes());
     });
 }
 
@@ -236,11 +234,9 @@ rsh_status rsh_frame(rsh_context context, cl_command_queue queue, const rsh_fram
 }
 
 rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc, rsh_sizes* sizes) {
-    return rsh::guarded([&] {
-        const rsh::Context& checked = rsh::checked_context(context);
-        const rsh_reduce_desc copy = rsh::checked_desc(desc);
-        rsh::set_sizes(sizes, size_t{copy.count} * copy.element_bytes,
-                       rsh::reduce_scratch(checked, copy).bytes());
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(size_t{checked.count} * checked.element_bytes,
+                             rsh::reduce_scratch(own, checked).bytes());
     });
 }
 

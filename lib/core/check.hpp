@@ -5,9 +5,11 @@
 #include <rsh/rsh.h>
 
 #include <string>
+#include <type_traits>
 
 #include "cl/context.hpp"
 #include "core/error.hpp"
+#include "core/struct_size.hpp"
 
 namespace rsh {
 
@@ -21,34 +23,72 @@ void require(bool holds, const char* field, Number actual, const std::string& re
 
 void require_not_null(const void* pointer, const char* field);
 
-// Dereferences a descriptor of exactly this version's size.
-template <class Desc>
-Desc checked_desc(const Desc* desc) {
-    require_not_null(desc, "desc");
-    require(desc->struct_size == sizeof(Desc), "struct_size", desc->struct_size,
-            std::to_string(sizeof(Desc)));
-    return *desc;
+template <class Struct>
+void check_struct(const Struct* callers, const char* name, const char* size_field) {
+    require_not_null(callers, name);
+    const std::string last = std::to_string(sizeof(Struct));
+    const size_t first = FirstVersion<Struct>::bytes;
+    require(is_known_size<Struct>(callers->struct_size), size_field, callers->struct_size,
+            first == sizeof(Struct) ? last : std::to_string(first) + " .. " + last);
 }
 
+template <class Desc, class = void>
+constexpr bool kHasScene = false;
+template <class Desc>
+constexpr bool kHasScene<Desc, std::void_t<decltype(Desc::scene)>> = true;
+
+// A caller's descriptor and the scene that it points to, both at this version's size.
+template <class Desc>
+class Received {
+public:
+    explicit Received(const Desc* callers) {
+        check_struct(callers, "desc", "struct_size");
+        desc_ = widened(callers);
+        if constexpr (kHasScene<Desc>) take_scene();
+    }
+    Received(const Received&) = delete;
+    Received& operator=(const Received&) = delete;
+
+    const Desc& operator*() const { return desc_; }
+    const Desc* operator->() const { return &desc_; }
+
+private:
+    void take_scene() {
+        check_struct(desc_.scene, "scene", "scene.struct_size");
+        scene_ = widened(desc_.scene);
+        desc_.scene = &scene_;
+    }
+
+    Desc desc_;
+    rsh_scene scene_ = {};
+};
+
 Context& checked_context(rsh_context context);
-// A grid, or a list when height is 0 or 1.
-void check_ray_grid(cl_uint width, cl_uint height);
 void check_submission(const Context& context, cl_command_queue queue, cl_uint wait_count,
                       const cl_event* wait_list);
-// A buffer of the context that holds at least `bytes`; may be NULL only if `bytes` is 0.
-void check_buffer(const Context& context, const char* field, cl_mem buffer, cl_ulong bytes);
-// The same for scratch memory, where NULL means the pool.
-void check_scratch(const Context& context, cl_mem scratch, size_t bytes);
 
-void check(const Context& context, const rsh_geometry& geometry);
-void check(const Context& context, const rsh_scene* scene);
-void check(const Context& context, const rsh_rasterize_desc& desc);
-void check(const Context& context, const rsh_bound_desc& desc);
-void check(const Context& context, const rsh_build_desc& desc);
-void check(const Context& context, const rsh_traverse_desc& desc);
-void check(const Context& context, const rsh_spawn_desc& desc);
-void check(const Context& context, const rsh_shade_desc& desc);
-void check(const Context& context, const rsh_frame_desc& desc);
-void check(const Context& context, const rsh_reduce_desc& desc);
+// All that a query reads: everything but buffers and callbacks.
+void check_shape(const rsh_geometry& geometry);
+void check_shape(const rsh_scene& scene);
+void check_shape(const rsh_rasterize_desc& desc);
+void check_shape(const rsh_bound_desc& desc);
+void check_shape(const rsh_build_desc& desc);
+void check_shape(const rsh_traverse_desc& desc);
+void check_shape(const rsh_spawn_desc& desc);
+void check_shape(const rsh_shade_desc& desc);
+void check_shape(const rsh_frame_desc& desc);
+void check_shape(const rsh_reduce_desc& desc);
+
+// The buffers of a descriptor whose shape was checked: they are there, and large enough.
+void check_buffers(const Context& context, const rsh_geometry& geometry);
+void check_buffers(const Context& context, const rsh_scene& scene);
+void check_buffers(const Context& context, const rsh_rasterize_desc& desc);
+void check_buffers(const Context& context, const rsh_bound_desc& desc);
+void check_buffers(const Context& context, const rsh_build_desc& desc);
+void check_buffers(const Context& context, const rsh_traverse_desc& desc);
+void check_buffers(const Context& context, const rsh_spawn_desc& desc);
+void check_buffers(const Context& context, const rsh_shade_desc& desc);
+void check_buffers(const Context& context, const rsh_frame_desc& desc);
+void check_buffers(const Context& context, const rsh_reduce_desc& desc);
 
 }  // namespace rsh

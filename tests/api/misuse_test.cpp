@@ -133,8 +133,11 @@ TEST_F(Misuse, OfReduceIsRefused) {
                   {"strategy", "99"});
     refuses<Desc>(desc, [](Desc& d) { d.count = 1025; }, RSH_BUFFER_TOO_SMALL,
                   {"4096", "4100"});
-    refuses<Desc>(desc, [](Desc& d) { d.count = 0xffffffffu; }, RSH_BUFFER_TOO_SMALL,
-                  {"4096", "17179869180"});
+    refuses<Desc>(desc, [](Desc& d) { d.count = 1u << 31; }, RSH_BUFFER_TOO_SMALL,
+                  {"4096", "8589934592"});
+    for (const cl_uint count : {(1u << 31) + 1, 0xffffffffu})
+        refuses<Desc>(desc, [=](Desc& d) { d.count = count; }, RSH_INVALID_VALUE,
+                      {"count", std::to_string(count), "2147483648"});
     refuses<Desc>(desc, [](Desc& d) { d.input = nullptr; }, RSH_INVALID_VALUE,
                   {"input", "NULL"});
     refuses<Desc>(desc, [](Desc& d) { d.flags = nullptr; }, RSH_INVALID_VALUE,
@@ -262,8 +265,14 @@ TEST_F(Misuse, OfSpawnAndShadeIsRefused) {
                    {"rays", "2048", "2080"});
     refuses<Shade>(shade, [](Shade& d) { d.colour = nullptr; }, RSH_INVALID_VALUE,
                    {"colour", "NULL"});
-    refuses<Shade>(shade, [](Shade& d) { d.ray_count = 0xffffffffu; }, RSH_BUFFER_TOO_SMALL,
-                   {"rays"});
+    for (const cl_uint count : {(1u << 28) + 1, 0xffffffffu}) {
+        refuses<Spawn>(spawn, [=](Spawn& d) { d.ray_count = count; }, RSH_INVALID_VALUE,
+                       {"ray_count", std::to_string(count), "268435456"});
+        refuses<Shade>(shade, [=](Shade& d) { d.ray_count = count; }, RSH_INVALID_VALUE,
+                       {"ray_count", std::to_string(count), "268435456"});
+    }
+    refuses<Shade>(shade, [](Shade& d) { d.ray_count = 1u << 28; }, RSH_BUFFER_TOO_SMALL,
+                   {"rays", "2048", "8589934592"});
     refuses<Shade>(shade, [&](Shade& d) { d.occlusion = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                    {"occlusion", "4", "256"});
 }
