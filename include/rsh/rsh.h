@@ -13,8 +13,12 @@
  *              Buffers are used while the enqueued commands run and must live until then; none is
  *              retained afterwards. To pass a part of a buffer, pass an OpenCL sub-buffer.
  *   Structs    Descriptors start with struct_size = sizeof the struct; a member that is zero or NULL
- *              takes its default. They grow only at the end. Host data they point at (a wait
- *              list, a level table) is read before the call returns.
+ *              takes its default. They grow only at the end: any size from that of version 0.1 to
+ *              the library's own is taken, and members that the caller lacks count as zero. A
+ *              larger one is RSH_INVALID_VALUE: the library is older than the header. The same
+ *              holds for rsh_scene, rsh_sizes and rsh_statistics. rsh_geometry, rsh_camera and the
+ *              structs in buffers have no struct_size and never grow. Host data that descriptors
+ *              point at (a scene, a wait list) is read before the call returns.
  *   Async      A function with (wait_count, wait_list, done) only enqueues: it waits for no event,
  *              flushes nothing, reads nothing back. *done, if `done` is not NULL, is a valid event
  *              of the caller's that ends after everything the call enqueued, also when there was
@@ -22,6 +26,8 @@
  *              until then commands use the call's buffers. As in OpenCL, `done` must not point into
  *              wait_list. In-order and out-of-order queues both work.
  *              rsh_frame, rsh_get_statistics and rsh_create_context may block, and say so.
+ *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no buffer:
+ *              those may be NULL or too small. It does no device work.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
  *              context's pool, which grows on first use and then stays: a block per in-order
  *              queue in use, and on out-of-order queues one per call under way, but that a call
@@ -301,7 +307,7 @@ typedef struct rsh_build_desc {
                          slowly. 0: nodes bound them from their origins */
 } rsh_build_desc;
 
-/* Fills *levels (may be NULL) and the sizes; no device work. */
+/* Fills *levels (may be NULL) and the sizes. */
 RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc,
                                    rsh_sizes* sizes, rsh_levels* levels);
 
@@ -342,7 +348,8 @@ typedef int (*rsh_progress)(cl_uint batch, cl_uint batch_count, void* user);
 typedef struct rsh_traverse_desc {
     size_t struct_size;
     rsh_geometry geometry;
-    cl_mem spheres;        /* in: from rsh_bound; NULL: made in scratch                       */
+    cl_mem spheres;        /* in: from rsh_bound; NULL: made in scratch, which the query counts,
+                              so that there it must be NULL, or not, as in the call           */
     cl_mem rays;           /* in: width * height x rsh_ray                                    */
     cl_mem nodes;          /* in: from rsh_build over these rays; unused by brute force       */
     cl_uint width;
@@ -391,7 +398,7 @@ typedef struct rsh_spawn_desc {
     const rsh_scene* scene;
     cl_uint kind;            /* RSH_SPAWN_... */
     cl_uint light;           /* shadow: index of the light */
-    cl_uint ray_count;
+    cl_uint ray_count;       /* at most 2^28 */
     cl_mem rays;             /* in: the rays that hit                                         */
     cl_mem hits;             /* in: their closest hits                                        */
     cl_mem weights;          /* in: float4 per ray, rgb; NULL: all 1; unused for shadow       */
@@ -426,7 +433,7 @@ RSH_API rsh_status rsh_spawn(rsh_context context, cl_command_queue queue,
 typedef struct rsh_shade_desc {
     size_t struct_size;
     const rsh_scene* scene;
-    cl_uint ray_count;
+    cl_uint ray_count; /* at most 2^28 */
     cl_mem rays;      /* in */
     cl_mem hits;      /* in: closest hits of the rays                                         */
     cl_mem weights;   /* in: float4 per ray; NULL: all 1                                      */
@@ -486,7 +493,8 @@ typedef struct rsh_reduce_desc {
     cl_uint strategy;
     cl_uint keep;            /* RSH_KEEP_... */
     cl_uint element_bytes;   /* 4, 8, 12 or 16 */
-    cl_uint count;           /* elements of the input; with input_count: at most so many      */
+    cl_uint count;           /* elements of the input, at most 2^31; with input_count: at most so
+                                many                                                          */
     cl_mem input_count;      /* in: one cl_uint on the device, not above `count`; NULL: `count` */
     cl_mem input;            /* in */
     cl_mem flags;            /* in: one byte per element; RSH_KEEP_FLAGS only                 */
