@@ -86,9 +86,10 @@ cl_mem Recorder::borrow_scratch(size_t bytes) {
     return blocks_.back().buffer();
 }
 
-// Without a command of its own the call's event is that of the wait list.
+// The last command ends after all others. No marker behind it: PoCL 3.1 lets one wait for whatever
+// the queue holds, also when it is given a wait list and the queue is out of order.
 void Recorder::finish() {
-    if (!done_) return;
+    if (!done_ || enqueued_) return;
     cl::Event event;
     queue_.enqueueMarkerWithWaitList(waits(), &event);
     continue_after(event);

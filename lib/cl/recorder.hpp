@@ -64,7 +64,7 @@ public:
     // Memory of the context's pool that no other call touches until this call's commands ended.
     cl_mem borrow_scratch(size_t bytes);
 
-    // Makes the caller's event: one that ends after everything recorded, or waited for.
+    // Sees to an event for the caller when nothing was enqueued: one for the end of the wait list.
     void finish();
 
 private:
