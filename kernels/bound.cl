@@ -13,8 +13,8 @@ static float3 sphere_centre(rsh_triangle p)
     if (dot(-ab, bc) <= 0.0f) return 0.5f * p.v0 + 0.5f * p.v2;
     if (dot(ac, bc) <= 0.0f) return 0.5f * p.v0 + 0.5f * p.v1;
     const float3 normal = cross(ab, ac);
-    const float3 centre = p.v0 + (dot(ac, ac) * cross(normal, ab) + dot(ab, ab) * cross(ac, normal)) /
-                                     (2.0f * dot(normal, normal));
+    const float3 towards = dot(ac, ac) * cross(normal, ab) + dot(ab, ab) * cross(ac, normal);
+    const float3 centre = p.v0 + towards / (2.0f * dot(normal, normal));
     const float3 middle = 0.5f * p.v0 + 0.5f * p.v1;
     /* Slivers and extreme scales: the circumcentre is noise, or not finite. */
     if (!(safe_length(centre - p.v0) <= safe_length(ab) + safe_length(ac))) return middle;

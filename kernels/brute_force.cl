@@ -73,7 +73,8 @@ __kernel void rsh_brute_force(rsh_mesh mesh, __global const float* vertices,
     }
     for (int b = 0; b < RSH_BLOCKS; ++b) {
         if (occlusion_bit)
-            store_occlusion(occlusion, occlusion_bit, first + b * RSH_WIDTH, ray_count, &best[b]);
+            store_occlusion(occlusion, occlusion_bit, first + b * RSH_WIDTH, ray_count,
+                            &best[b]);
         else
             store_hits(rays, hits, first + b * RSH_WIDTH, ray_count, &best[b]);
     }

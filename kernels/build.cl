@@ -1,9 +1,10 @@
-/* build.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item per quad.
+/* build.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item per
+ * quad.
  *   rays   in   level 0
  *   quads  out  nodes of all levels below the root; see rsh_node_quad
- * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and sine are
- * then measured from the guess as stored, rounded outwards, so that a node always contains its
- * rays. Does not test anything against the scene.
+ * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and
+ * sine are then measured from the guess as stored, rounded outwards, so that a node always
+ * contains its rays. Does not test anything against the scene.
  */
 #include "algebra.h"
 #include "levels.h"
@@ -38,10 +39,10 @@ static rsh_cone ray_cone(rsh_ray ray)
 }
 
 /* The same ray from its point at t = 1 backwards: rays that run towards one point make the
- * thinnest cones there. Every point with t <= 1 lies that way; other rays go anywhere. The radius
- * makes up for the sum, which rounds by u per component, and for the hits of intersect.h: those
- * are off by 45u of their distance to the origin, which is the direction's length more than
- * the distance to the apex that cone_sphere.h allows for. */
+ * thinnest cones there. Every point with t <= 1 lies that way; other rays go anywhere. The
+ * radius makes up for the sum, which rounds by u per component, and for the hits of
+ * intersect.h: those are off by 45u of their distance to the origin, which is the direction's
+ * length more than the distance to the apex that cone_sphere.h allows for. */
 static rsh_cone reversed_cone(rsh_ray ray)
 {
     rsh_cone cone = ray_cone(ray);
@@ -99,10 +100,10 @@ static float cone_radius(const rsh_cone* child, float3 centre)
 }
 
 /* Sine of the widest angle between `axis` and a ray of a child: sin(theta + alpha), where theta
- * is the angle between the axes and alpha the child's half-angle. Cross and dot products of unit
- * vectors that are 16u off in length, products and sums, and cos alpha = sqrt(1 - sin^2) with
- * cos alpha >= 0.05 (error u / 0.1): together below 48u; the padding is 2^-18 = 64u. From 87
- * degrees on, the cone counts as the whole space. */
+ * is the angle between the axes and alpha the child's half-angle. Cross and dot products of
+ * unit vectors that are 16u off in length, products and sums, and cos alpha = sqrt(1 - sin^2)
+ * with cos alpha >= 0.05 (error u / 0.1): together below 48u; the padding is 2^-18 = 64u. From
+ * 87 degrees on, the cone counts as the whole space. */
 static float cone_sine(const rsh_cone* child, float3 axis)
 {
     float widest = 0.0f;

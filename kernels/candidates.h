@@ -1,10 +1,11 @@
-/* candidates.h - intersects (triangle, ray) pairs and keeps what they hit, whatever order they come
- * in.
+/* candidates.h - intersects (triangle, ray) pairs and keeps what they hit, whatever order they
+ * come in.
  *
- * While a traversal runs, hits[ray].primitive is the best triangle so far. An offer replaces it by
- * compare-and-swap only if the new hit is closer, or as close with a lower index; the t of the old
- * one is computed again, by the same instructions, so 32-bit atomics suffice, and t, u and v need
- * not be stored until rsh_resolve. The order of offers cannot matter: the result is a minimum.
+ * While a traversal runs, hits[ray].primitive is the best triangle so far. An offer replaces it
+ * by compare-and-swap only if the new hit is closer, or as close with a lower index; the t of
+ * the old one is computed again, by the same instructions, so 32-bit atomics suffice, and t, u
+ * and v need not be stored until rsh_resolve. The order of offers cannot matter: the result is
+ * a minimum.
  */
 #ifndef RSH_CANDIDATES_H
 #define RSH_CANDIDATES_H
@@ -46,8 +47,8 @@ static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle
 }
 
 /* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. */
-static void gather(const rsh_target* target, const rsh_pair* pairs, uint count, rsh_sheared* sheared,
-                   floatv* corner)
+static void gather(const rsh_target* target, const rsh_pair* pairs, uint count,
+                   rsh_sheared* sheared, floatv* corner)
 {
     float lanes[17][RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {

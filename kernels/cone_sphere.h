@@ -10,14 +10,14 @@
  *      +-----------> z
  *
  * Roger et al. 2007 test the side only, from an apex moved back by S / sin a; the second case
- * rejects spheres behind the origins as well and costs one comparison. Squares are compared, with
- * cos^2 a = 1 - sin^2 a, so that no root is taken.
+ * rejects spheres behind the origins as well and costs one comparison. Squares are compared,
+ * with cos^2 a = 1 - sin^2 a, so that no root is taken.
  *
- * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down to
- * cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that intersect.h reports can
- * lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S) is 128u. Underflow
- * and rounding are monotonic and cannot turn the comparison round; what overflows or is NaN is
- * kept.
+ * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down
+ * to cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that intersect.h reports
+ * can lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S) is 128u.
+ * Underflow and rounding are monotonic and cannot turn the comparison round; what overflows or
+ * is NaN is kept.
  */
 #ifndef RSH_CONE_SPHERE_H
 #define RSH_CONE_SPHERE_H

@@ -16,8 +16,8 @@ static bool triangle_vertices(rsh_mesh mesh, __global const uint* indices, uint 
                               uint* corner)
 {
     if (mesh.is_indexed) {
-        __global const uint* at =
-            indices + word_offset(mesh.indices_first_low, mesh.indices_first_high) + 3ul * triangle;
+        const ulong first = word_offset(mesh.indices_first_low, mesh.indices_first_high);
+        __global const uint* at = indices + first + 3ul * triangle;
         for (int i = 0; i < 3; ++i) corner[i] = at[i];
     } else {
         for (int i = 0; i < 3; ++i) corner[i] = 3 * triangle + i;

@@ -1,6 +1,7 @@
 /* intersect.cl - the traversal's last step: intersects the (triangle, ray) pairs that survived.
  *   pairs, pair_count  in      level 0 of the stream
- *   hits               in/out  closest: .primitive is the best triangle so far, RSH_NO_HIT at first
+ *   hits               in/out  closest: .primitive is the best triangle so far, RSH_NO_HIT at
+ *                      first
  *   occlusion          in/out  any: a bit per ray
  */
 #include "candidates.h"
@@ -9,7 +10,8 @@
 __kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
                             __global const uint* indices, __global const rsh_ray* rays,
                             __global const rsh_pair* pairs, __global const uint* pair_count,
-                            __global rsh_hit* hits, __global uint* occlusion, uint occlusion_bit)
+                            __global rsh_hit* hits, __global uint* occlusion,
+                            uint occlusion_bit)
 {
     const rsh_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
     const uint count = *pair_count;

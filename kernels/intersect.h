@@ -2,34 +2,37 @@
  *
  * Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: move the ray's
  * origin to 0, shear space so that the ray becomes the axis of its largest direction component,
- * and look at the triangle in the plane across it. In that plane the ray is the point 0, and the
- * edge values  U = C x B,  V = A x C,  W = B x A  are twice the areas that 0 makes with the edges:
- * 0 is inside when none of them differs in sign.
+ * and look at the triangle in the plane across it. In that plane the ray is the point 0, and
+ * the edge values  U = C x B,  V = A x C,  W = B x A  are twice the areas that 0 makes with the
+ * edges: 0 is inside when none of them differs in sign.
  *
- * Two triangles that share an edge compute its value from the same four numbers with the factors
- * swapped. difference_of_products errs by at most 1.5 ulp, so its sign is exact and it is 0 only
- * for a true 0: the ray passes on one side for one triangle and on the other for its neighbour,
- * or on the edge (a hit) for both. No crack, also at vertices; no double-precision fallback.
+ * Two triangles that share an edge compute its value from the same four numbers with the
+ * factors swapped. difference_of_products errs by at most 1.5 ulp, so its sign is exact and it
+ * is 0 only for a true 0: the ray passes on one side for one triangle and on the other for its
+ * neighbour, or on the edge (a hit) for both. No crack, also at vertices; no double-precision
+ * fallback.
  *
- * The plane is scaled by a power of two, so that the farthest corner is 1 to 2 away: exact, and the
- * products neither overflow nor drown, whatever the scene's unit. A product that underflows errs by
- * 2^-126 (flushed or denormal; monotonically, so signs are never reversed, but 0 may come of it):
- * with at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles are seen edge-on.
+ * The plane is scaled by a power of two, so that the farthest corner is 1 to 2 away: exact, and
+ * the products neither overflow nor drown, whatever the scene's unit. A product that underflows
+ * errs by 2^-126 (flushed or denormal; monotonically, so signs are never reversed, but 0 may
+ * come of it): with at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles
+ * are seen edge-on.
  *
  * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
  * vertex - origin): subtracting the origin u, slope 6u (1 when division is exact), product u,
  * difference 2u, the weights' own u: each coordinate is off by at most 11u |.|, on two axes
- * sqrt(2) 11u. So a reported hit is an exact hit of a triangle whose corners moved by no more than
- * that, sideways; and since the edge values weigh the corners' depths with relative errors of a
- * few u and equal signs, t is off by no more than 2^-20 |.| in depth, sqrt(3) 16u along the ray:
- * together at most 45u |.|. cone_sphere.h keeps every pair within that distance.
+ * sqrt(2) 11u. So a reported hit is an exact hit of a triangle whose corners moved by no more
+ * than that, sideways; and since the edge values weigh the corners' depths with relative errors
+ * of a few u and equal signs, t is off by no more than 2^-20 |.| in depth, sqrt(3) 16u along
+ * the ray: together at most 45u |.|. cone_sphere.h keeps every pair within that distance.
  */
 #ifndef RSH_INTERSECT_H
 #define RSH_INTERSECT_H
 
 #include "geometry.h"
 
-/* Rays, sheared. kz: axis of the largest direction component; x, y: the next two, cyclically. */
+/* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
+ * cyclically. */
 typedef struct rsh_sheared {
     floatv origin_x, origin_y, origin_z; /* world axes */
     intv kz_is_x, kz_is_y;               /* masks; neither: z */
@@ -63,9 +66,10 @@ static floatv pick_z(rsh_sheared r, floatv x, floatv y, floatv z)
 }
 
 /* tmin is raised to 0 and tmax lowered to the largest float: nothing behind the origin, no t
- * that overflowed. A t that underflows to 0 could still lie behind: its sign is tested before. */
-static rsh_sheared shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x, floatv y,
-                              floatv z, floatv tmin, floatv tmax)
+ * that overflowed. A t that underflows to 0 could still lie behind: its sign is tested
+ * before. */
+static rsh_sheared shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x,
+                              floatv y, floatv z, floatv tmin, floatv tmax)
 {
     rsh_sheared r;
     r.origin_x = origin_x;
@@ -101,8 +105,8 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
         ay = pick_y(r, dx, dy, dz) - (r).slope_y * az;            \
     } while (0)
 
-/* The power of two that brings the largest of these to 1 .. 2; from the exponent's bits, kept away
- * from those of 0 and infinity. */
+/* The power of two that brings the largest of these to 1 .. 2; from the exponent's bits, kept
+ * away from those of 0 and infinity. */
 static floatv scale_to_one(floatv a, floatv b, floatv c, floatv d, floatv e, floatv f)
 {
     const floatv largest = fmax(fmax(fmax(fabs(a), fabs(b)), fmax(fabs(c), fabs(d))),

@@ -1,4 +1,5 @@
-/* kernel_types.h - structs passed by value to kernels, written once for host and device. Not API. */
+/* kernel_types.h - structs passed by value to kernels, written once for host and device. Not
+ * API. */
 #ifndef RSH_KERNEL_TYPES_H
 #define RSH_KERNEL_TYPES_H
 

@@ -24,13 +24,14 @@ static bool child_exists(const rsh_levels* levels, uint level, uint parent, uint
     return 2 * x + (k & 1) < levels->width[level] && 2 * y + (k >> 1) < levels->height[level];
 }
 
-/* While pairs travel down a grid, a node is named by row * 65536 + column: no division on the way
- * from parent to child, both halves double. In a list the name is the index. Rays, at level 0,
- * go by their index at last. */
+/* While pairs travel down a grid, a node is named by row * 65536 + column: no division on the
+ * way from parent to child, both halves double. In a list the name is the index. Rays, at level
+ * 0, go by their index at last. */
 static uint quad_index(const rsh_levels* levels, uint level, uint node)
 {
-    if (levels->is_list) return levels->first_quad[level] + node;
-    return levels->first_quad[level] + (node >> 16) * levels->width[level + 1] + (node & 0xffffu);
+    const uint first = levels->first_quad[level];
+    if (levels->is_list) return first + node;
+    return first + (node >> 16) * levels->width[level + 1] + (node & 0xffffu);
 }
 
 /* Names of the four children at `level` of a node of level + 1. */

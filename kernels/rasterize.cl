@@ -5,11 +5,11 @@
  *   lists              scratch  per chunk, the tiles' lists one after the other
  *   rays, hits         out      row by row
  *
- * Triangles are cut into chunks, runs of the index order; one work-item lists a chunk's triangles
- * by tile. A tile goes through the chunks in order, so it meets triangles in ascending order and
- * nothing depends on which work-item is first. A list that does not fit is not written: its tile
- * looks through the boxes of the whole chunk instead. Hits are intersect.h's alone: the boxes only
- * leave out work.
+ * Triangles are cut into chunks, runs of the index order; one work-item lists a chunk's
+ * triangles by tile. A tile goes through the chunks in order, so it meets triangles in
+ * ascending order and nothing depends on which work-item is first. A list that does not fit is
+ * not written: its tile looks through the boxes of the whole chunk instead. Hits are
+ * intersect.h's alone: the boxes only leave out work.
  */
 #include "rasterize_project.h"
 #include "rasterize_tile.h"
@@ -17,7 +17,8 @@
 #define RSH_UNLISTED 0x80000000u /* flag in `ends`: the list did not fit */
 
 __kernel void rsh_rasterize_project(rsh_screen screen, rsh_mesh mesh,
-                                    __global const float* vertices, __global const uint* indices,
+                                    __global const float* vertices,
+                                    __global const uint* indices,
                                     __global ushort4* boxes)
 {
     const uint i = get_global_id(0);
@@ -113,7 +114,8 @@ static void offer(const rsh_input* input, rsh_square* square, uint i)
         }
 }
 
-__kernel void rsh_rasterize_tiles(rsh_screen screen, rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_rasterize_tiles(rsh_screen screen, rsh_mesh mesh,
+                                  __global const float* vertices,
                                   __global const uint* indices, __global const ushort4* boxes,
                                   __global const uint* ends, __global const uint* lists,
                                   __global rsh_ray* rays, __global rsh_hit* hits)

@@ -1,21 +1,23 @@
 /* rasterize_project.h - which pixels can see a triangle? A box that misses none of them.
  *
- * Let intersect.h report a hit of a pixel's ray. Then, with the triangle's corners p_i and weights
- * l_i >= 0 of sum 1, the ray passes the point Y = sum l_i p_i at a distance of at most
- * sum l_i e_i, and its depth there is as much off. Per component (u = 2^-24, w_i = p_i - eye, |.|
- * its largest component):
+ * Let intersect.h report a hit of a pixel's ray. Then, with the triangle's corners p_i and
+ * weights l_i >= 0 of sum 1, the ray passes the point Y = sum l_i p_i at a distance of at most
+ * sum l_i e_i, and its depth there is as much off. Per component (u = 2^-24, w_i = p_i - eye,
+ * |.| its largest component):
  *    16u |w_i|   intersect.h, sideways and along the ray
- *     6u |w_i|   the coordinates below, as rounded: subtraction, products, sums, the row's entries
+ *     6u |w_i|   the coordinates below, as rounded: subtraction, products, sums, row entries
  *     7u |w_i|   crossing(), which weighs both ends with relative errors
- * so e_i = 2^-18 |w_i| has room to spare, and 2^-120 covers what a device flushes to zero. Times the sum of a row's sizes, it bounds the
- * error of that coordinate: E_depth, E_across.
+ * so e_i = 2^-18 |w_i| has room to spare, and 2^-120 covers what a device flushes to zero.
+ * Times the sum of a row's sizes, it bounds the error of that coordinate: E_depth, E_across.
  *
- * The ray itself looks along (1, x', y') with x' within across_padding of the pixel's x, at most
- * 2 in size (rasterize.cpp). From |across(Y) - x' depth| <= E_across + 2 E_depth = G follows
+ * The ray itself looks along (1, x', y') with x' within across_padding of the pixel's x, at
+ * most 2 in size (rasterize.cpp). From |across(Y) - x' depth| <= E_across + 2 E_depth = G
+ * follows
  *   x in  [across(Y) - G, across(Y) + G] / depth(Y) -+ across_padding   where depth(Y) > 0.
- * The bounds are ratios of linear functions of Y, as e_i is weighed like p_i: over any part of the
- * triangle with depth > 0 they are extreme at the part's corners. The part that matters begins at
- * depth  nearest = near_depth - 2 max E_depth: twice, for the ray's t is as uncertain as Y. Where
+ * The bounds are ratios of linear functions of Y, as e_i is weighed like p_i: over any part of
+ * the triangle with depth > 0 they are extreme at the part's corners. The part that matters
+ * begins at depth  nearest = near_depth - 2 max E_depth: twice, for the ray's t is as uncertain
+ * as Y. Where
  * that is not safely positive, the triangle is cut at  cut = 4 max E_depth:
  *
  *     depth ^    \ screen /    front: divided by its depth
@@ -49,7 +51,8 @@ static rsh_corner corner_of(const rsh_screen* screen, float3 position, float* de
     const float3 w = position - screen->eye_near.xyz;
     const float reach =
         0x1p-18f * fmax(fabs(w.x), fmax(fabs(w.y), fabs(w.z))) + 0x1p-120f;
-    const float across = row_times(screen->across_row, w), down = row_times(screen->down_row, w);
+    const float across = row_times(screen->across_row, w);
+    const float down = row_times(screen->down_row, w);
     *depth_error = screen->depth_row.w * reach;
     const float across_error = screen->across_row.w * reach + 2.0f * *depth_error;
     const float down_error = screen->down_row.w * reach + 2.0f * *depth_error;
@@ -82,7 +85,8 @@ static float4 grow(float4 extent, rsh_corner corner, rsh_part part)
     return (float4)(fmin(extent.xy, bounds.xy), fmax(extent.zw, bounds.zw));
 }
 
-static float4 grow_by_crossing(float4 extent, const rsh_corner* ends, float depth, rsh_part part)
+static float4 grow_by_crossing(float4 extent, const rsh_corner* ends, float depth,
+                               rsh_part part)
 {
     if ((ends[0].depth < depth) == (ends[1].depth < depth)) return extent;
     return grow(extent, crossing(ends[0], ends[1], depth), part);

@@ -1,8 +1,9 @@
-/* rasterize_tile.h - the square of pixels that one work-item owns: their rays, sheared once, and
- * their best hits so far. A block of RSH_WIDTH pixels is one vector.
+/* rasterize_tile.h - the square of pixels that one work-item owns: their rays, sheared once,
+ * and their best hits so far. A block of RSH_WIDTH pixels is one vector.
  *
- * SIMT devices (RSH_WIDTH 1): a pixel per work-item, a tile per work-group. Elsewhere a work-item
- * owns the whole tile. Knows nothing of lists: triangles must be offered in ascending order.
+ * SIMT devices (RSH_WIDTH 1): a pixel per work-item, a tile per work-group. Elsewhere a
+ * work-item owns the whole tile. Knows nothing of lists: triangles must be offered in ascending
+ * order.
  */
 #ifndef RSH_RASTERIZE_TILE_H
 #define RSH_RASTERIZE_TILE_H
@@ -13,7 +14,7 @@
 #ifndef RSH_TILE
 #define RSH_TILE 16 /* pixels along a tile's edge */
 #endif
-#define RSH_SIDE (RSH_WIDTH == 1 ? 1 : RSH_TILE) /* ... along the edge of a work-item's square */
+#define RSH_SIDE (RSH_WIDTH == 1 ? 1 : RSH_TILE) /* ... along a work-item's square */
 #define RSH_BLOCK_X (RSH_WIDTH >= 8 ? 4 : RSH_WIDTH >= 4 ? 2 : 1)
 #define RSH_BLOCK_Y (RSH_WIDTH / RSH_BLOCK_X)
 #define RSH_COLUMNS (RSH_SIDE / RSH_BLOCK_X) /* blocks in the square */
@@ -38,9 +39,9 @@ static void lane_pixels(uint column, uint row, uint* x, uint* y)
     }
 }
 
-/* Unit directions of a block's rays; see rsh_camera. (x + 0.5) / width * 2 - 1 is written as one
- * quotient of whole numbers, which rounds once. NaN, and an inactive ray, where forward, right
- * and up cancel. */
+/* Unit directions of a block's rays; see rsh_camera. (x + 0.5) / width * 2 - 1 is written as
+ * one quotient of whole numbers, which rounds once. NaN, and an inactive ray, where forward,
+ * right and up cancel. */
 static void look(const rsh_screen* screen, const uint* x, const uint* y, floatv* direction)
 {
     float from_centre_x[RSH_WIDTH], from_centre_y[RSH_WIDTH];
@@ -72,8 +73,8 @@ static void store_rays(const rsh_screen* screen, const uint* x, const uint* y,
     }
 }
 
-static void begin_block(const rsh_screen* screen, const uint* x, const uint* y, rsh_block* block,
-                        __global rsh_ray* rays)
+static void begin_block(const rsh_screen* screen, const uint* x, const uint* y,
+                        rsh_block* block, __global rsh_ray* rays)
 {
     floatv direction[3];
     look(screen, x, y, direction);

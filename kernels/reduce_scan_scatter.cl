@@ -1,5 +1,5 @@
-/* reduce_scan_scatter.cl - stream reduction by prefix sums: count per work-group, scan the counts,
- * then each group scans its flags and scatters. Stable.
+/* reduce_scan_scatter.cl - stream reduction by prefix sums: count per work-group, scan the
+ * counts, then each group scans its flags and scatters. Stable.
  *   input, flags  in   the stream
  *   counts        scratch, one per work-group, then their exclusive prefix sums
  *   output        out  its kept elements, packed;  output_count[output_index]  out  how many
@@ -29,9 +29,9 @@ static uint blocks_per_group(uint length)
     return length / stride + (length % stride != 0);
 }
 
-__kernel void rsh_reduce_scan_scatter_count(__global const uint* input, __global const uchar* flags,
-                                            __global const uint* input_count, uint has_input_count,
-                                            uint count, __global uint* counts, __local uint* sums)
+__kernel void rsh_reduce_scan_scatter_count(
+    __global const uint* input, __global const uchar* flags, __global const uint* input_count,
+    uint has_input_count, uint count, __global uint* counts, __local uint* sums)
 {
     const uint length = stream_length(input_count, has_input_count, count);
     const uint size = get_local_size(0), blocks = blocks_per_group(length);
@@ -44,9 +44,9 @@ __kernel void rsh_reduce_scan_scatter_count(__global const uint* input, __global
 }
 
 /* One work-group turns `groups` counts into exclusive prefix sums. */
-__kernel void rsh_reduce_scan_scatter_scan(__global uint* counts, uint groups,
-                                           __global uint* output_count, uint output_index,
-                                           __local uint* sums)
+__kernel void rsh_reduce_scan_scatter_scan(
+    __global uint* counts, uint groups, __global uint* output_count, uint output_index,
+    __local uint* sums)
 {
     const uint me = get_local_id(0), size = get_local_size(0);
     uint total = 0;
@@ -60,10 +60,10 @@ __kernel void rsh_reduce_scan_scatter_scan(__global uint* counts, uint groups,
     if (me == 0) output_count[output_index] = total;
 }
 
-__kernel void rsh_reduce_scan_scatter_write(__global const uint* input, __global const uchar* flags,
-                                            __global const uint* input_count, uint has_input_count,
-                                            uint count, __global const uint* counts,
-                                            __global uint* output, __local uint* sums)
+__kernel void rsh_reduce_scan_scatter_write(
+    __global const uint* input, __global const uchar* flags, __global const uint* input_count,
+    uint has_input_count, uint count, __global const uint* counts, __global uint* output,
+    __local uint* sums)
 {
     const uint length = stream_length(input_count, has_input_count, count);
     const uint size = get_local_size(0), blocks = blocks_per_group(length);

@@ -31,7 +31,8 @@ static bool may_branch(const rsh_shape* shape, __global const rsh_material* mate
     if (hit.primitive >= shape->mesh.triangle_count) return false;
     __global const rsh_material* material = materials + material_of(shape, hit.primitive);
     if (is_refracted) return transmits(material);
-    return largest3(material->reflection.xyz) > 0.0f || (RSH_TRANSMISSION && transmits(material));
+    return largest3(material->reflection.xyz) > 0.0f ||
+           (RSH_TRANSMISSION && transmits(material));
 }
 
 static rsh_branch refracted_branch(const rsh_surface* surface,

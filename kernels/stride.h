@@ -1,6 +1,6 @@
-/* stride.h - spreads a stream over however many work-items were launched: the stream's length is
- * only known on the device. Neighbouring work-items take neighbouring elements on SIMT devices
- * (RSH_WIDTH 1); elsewhere each takes a run of its own, which a CPU's caches prefer. */
+/* stride.h - spreads a stream over however many work-items were launched: the stream's length
+ * is only known on the device. Neighbouring work-items take neighbouring elements on SIMT
+ * devices (RSH_WIDTH 1); elsewhere each takes a run of its own, which a CPU's caches prefer. */
 #ifndef RSH_STRIDE_H
 #define RSH_STRIDE_H
 

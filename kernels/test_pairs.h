@@ -9,7 +9,8 @@
 #define RSH_PAIRS 4
 RSH_DEFINE_CONE_SPHERE(quads_meet, float16, int16)
 #define RSH_GATHER(member) ((float16)(q[0]->member, q[1]->member, q[2]->member, q[3]->member))
-#define RSH_SPREAD(c) ((float16)((float4)(s[0].c), (float4)(s[1].c), (float4)(s[2].c), (float4)(s[3].c)))
+#define RSH_SPREAD(c) \
+    ((float16)((float4)(s[0].c), (float4)(s[1].c), (float4)(s[2].c), (float4)(s[3].c)))
 #elif RSH_WIDTH == 8
 #define RSH_PAIRS 2
 RSH_DEFINE_CONE_SPHERE(quads_meet, float8, int8)

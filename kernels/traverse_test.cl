@@ -1,25 +1,28 @@
-/* traverse_test.cl - one level of the traversal: tests each pair against the node's four children.
+/* traverse_test.cl - one level of the traversal: tests each pair against the node's four
+ * children.
  *   pairs, pair_count     in   survivors of the level above; at the root none are stored, there
  *                              every triangle of the batch is one
  *   candidates            out  4 per pair: (triangle, child) or NULL
  *   candidate_count       out  how many, NULLs included
- * At most `limit` pairs are tested: traverse_walk.cl finishes the others. Packing the survivors is
- * the reduction's job. A work-item tests RSH_PAIRS pairs at once: their quads fill a vector.
+ * At most `limit` pairs are tested: traverse_walk.cl finishes the others. Packing the survivors
+ * is the reduction's job. A work-item tests RSH_PAIRS pairs at once: their quads fill a vector.
  */
 #include "stride.h"
 #include "test_pairs.h"
 
-static void write_children(const rsh_levels* levels, uint level, rsh_pair pair, const int* survives,
-                           ulong at, __global uint* candidates)
+static void write_children(const rsh_levels* levels, uint level, rsh_pair pair,
+                           const int* survives, ulong at, __global uint* candidates)
 {
     const uint4 triangle = select((uint4)(RSH_NO_HIT), (uint4)(pair.triangle),
                                   as_uint4(vload4(0, survives)));
     const uint4 node = child_names(levels, level, pair.node);
-    vstore8((uint8)(triangle.x, node.x, triangle.y, node.y, triangle.z, node.z, triangle.w, node.w),
+    vstore8((uint8)(triangle.x, node.x, triangle.y, node.y, triangle.z, node.z, triangle.w,
+                    node.w),
             at, candidates);
 }
 
-/* Pairs first .. first + count - 1, at most RSH_PAIRS of them; the last one fills up the vector. */
+/* Pairs first .. first + count - 1, at most RSH_PAIRS of them; the last one fills up the
+ * vector. */
 static void test_group(const rsh_levels* levels, uint level, const rsh_pair* pairs, uint first,
                        uint count, __global const float4* spheres,
                        __global const rsh_node_quad* quads, __global uint* candidates)
@@ -52,10 +55,10 @@ __kernel void rsh_traverse_test(rsh_levels shape, uint level, uint limit,
 }
 
 /* The same at the root: pair i is (first + i, root). */
-__kernel void rsh_traverse_test_root(rsh_levels shape, uint level, uint first_triangle, uint count,
-                                     __global const float4* spheres,
-                                     __global const rsh_node_quad* quads, __global uint* candidates,
-                                     __global uint* candidate_count)
+__kernel void rsh_traverse_test_root(rsh_levels shape, uint level, uint first_triangle,
+                                     uint count, __global const float4* spheres,
+                                     __global const rsh_node_quad* quads,
+                                     __global uint* candidates, __global uint* candidate_count)
 {
     const rsh_levels levels = shape;
     if (get_global_id(0) == 0) *candidate_count = 4 * count;

@@ -1,9 +1,9 @@
 /* traverse_walk.cl - finishes, depth first, the pairs of a level that its stream cannot hold.
  *   pairs[limit ...]  in   pairs with nodes of level + 1
  *   hits, occlusion   out  as in intersect.cl
- * Same tests and same hits as breadth first, in memory that does not grow: a work-item keeps a short
- * list of pairs per level and always continues with the deepest one, so that a list is empty
- * before the level above fills it again.
+ * Same tests and same hits as breadth first, in memory that does not grow: a work-item keeps a
+ * short list of pairs per level and always continues with the deepest one, so that a list is
+ * empty before the level above fills it again.
  */
 #include "candidates.h"
 #include "stride.h"
@@ -64,8 +64,8 @@ static void walk_down(const rsh_target* target, const rsh_levels* levels, uint t
         walk->count[level] -= taken;
         const rsh_pair* pairs = walk->pairs[level] + walk->count[level];
         for (uint i = 0; i < taken; i += RSH_PAIRS)
-            descend(target, levels, level - 1, pairs + i, min((uint)RSH_PAIRS, taken - i), spheres,
-                    quads, walk);
+            descend(target, levels, level - 1, pairs + i, min((uint)RSH_PAIRS, taken - i),
+                    spheres, quads, walk);
         if (level > 1) --level;
     }
 }

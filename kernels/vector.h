@@ -1,6 +1,7 @@
-/* vector.h - floatv, intv, uintv: RSH_WIDTH elements that one work-item handles at once. Compilers
- * for CPUs hardly vectorize across work-items with branches, so the width is written out. The
- * operators mean the same for every width: comparisons give a mask for select() and any_lane(). */
+/* vector.h - floatv, intv, uintv: RSH_WIDTH elements that one work-item handles at once.
+ * Compilers for CPUs hardly vectorize across work-items with branches, so the width is written
+ * out. The operators mean the same for every width: comparisons give a mask for select() and
+ * any_lane(). */
 #ifndef RSH_VECTOR_H
 #define RSH_VECTOR_H
 

@@ -1,9 +1,10 @@
 // pipeline.cpp - the data flow of a frame; read this first.
 //
-// The paper's five steps: (1) rasterize what the camera sees and spawn secondary rays, (2) build
-// the hierarchy over them, (3) push the triangles down it, (4) intersect and shade, (5) repeat from
-// (2) for the rays that the hits spawn. Each line calls a pass; a pass has a kernel file of the same
-// name; rsh.cpp exposes the same passes one by one. Knows no buffer sizes: that is wave.cpp.
+// The paper's five steps: (1) rasterize what the camera sees and spawn secondary rays, (2)
+// build the hierarchy over them, (3) push the triangles down it, (4) intersect and shade, (5)
+// repeat from (2) for the rays that the hits spawn. Each line calls a pass; a pass has a kernel
+// file of the same name; rsh.cpp exposes the same passes one by one. Knows no buffer sizes:
+// that is wave.cpp.
 #include "pipeline.hpp"
 
 #include "core/error.hpp"
@@ -33,7 +34,8 @@ public:
     }
 
 private:
-    // The ray tree, depth first: all reflections of a wave and what they see, then its refractions.
+    // The ray tree, depth first: all reflections of a wave and what they see, then its
+    // refractions.
     void spawn_waves(cl_uint bounce) {
         if (bounce == desc_.bounces) return;
         if (has(RSH_FEATURE_REFLECTION)) trace_wave(bounce, RSH_SPAWN_REFLECTION);
@@ -74,9 +76,8 @@ private:
         clear_active_count();
         clear_colour(recorder_, memory_.hits(0), memory_.pixels(), desc_.colour,
                      memory_.active_count());
-        count_later([](rsh_statistics& sums, const cl_uint* count) {
-            sums.active_rays[0] += *count;
-        });
+        count_later(
+            [](rsh_statistics& sums, const cl_uint* count) { sums.active_rays[0] += *count; });
     }
 
     void traverse(const rsh_traverse_desc& pass) {
@@ -90,7 +91,8 @@ private:
         recorder_.fill(RSH_STAGE_OTHER, memory_.active_count(), 0, sizeof(cl_uint));
     }
 
-    // The one place where a frame waits for the device: an empty wave ends its branch of the tree.
+    // The one place where a frame waits for the device: an empty wave ends its branch of the
+    // tree.
     bool count_wave(cl_uint bounce) {
         const cl_uint count = recorder_.read_now(memory_.active_count());
         recorder_.context().statistics.add(
@@ -117,6 +119,8 @@ private:
 
 }  // namespace
 
-void frame(Recorder& recorder, const rsh_frame_desc& desc) { Frame(recorder, desc).render(); }
+void frame(Recorder& recorder, const rsh_frame_desc& desc) {
+    Frame(recorder, desc).render();
+}
 
 }  // namespace rsh

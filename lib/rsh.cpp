@@ -1,5 +1,5 @@
-// rsh.cpp - the C boundary: checks arguments, turns exceptions into statuses, calls the passes. No
-// exception leaves this file, no OpenCL call is made in it.
+// rsh.cpp - the C boundary: checks arguments, turns exceptions into statuses, calls the passes.
+// No exception leaves this file, no OpenCL call is made in it.
 #include <rsh/rsh.h>
 
 #include <cstring>
@@ -18,8 +18,8 @@
 namespace rsh {
 namespace {
 
-// Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so also
-// when `pass` throws.
+// Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so
+// also when `pass` throws.
 template <class Desc, class Pass>
 rsh_status enqueue(rsh_context context, const Submission& submission, const Desc* desc,
                    cl_event* done, Pass pass) {
@@ -27,7 +27,8 @@ rsh_status enqueue(rsh_context context, const Submission& submission, const Desc
         if (done) *done = nullptr;
         Context& checked = checked_context(context);
         const Received<Desc> received(desc);
-        check_submission(checked, submission.queue, submission.wait_count, submission.wait_list);
+        check_submission(checked, submission.queue, submission.wait_count,
+                         submission.wait_list);
         check_shape(*received);
         check_buffers(checked, *received);
         Recorder recorder(checked, submission, done);
@@ -54,16 +55,26 @@ rsh_sizes sizes_of(size_t output_bytes, size_t scratch_bytes) {
 
 const char* status_text(rsh_status status) {
     switch (status) {
-        case RSH_SUCCESS: return "RSH_SUCCESS: no error";
-        case RSH_INVALID_VALUE: return "RSH_INVALID_VALUE: a field is wrong";
-        case RSH_BUFFER_TOO_SMALL: return "RSH_BUFFER_TOO_SMALL: a buffer holds too few bytes";
-        case RSH_NO_DEVICE: return "RSH_NO_DEVICE: no OpenCL platform or device";
-        case RSH_BUILD_FAILED: return "RSH_BUILD_FAILED: a kernel did not compile";
-        case RSH_UNSUPPORTED: return "RSH_UNSUPPORTED: the device lacks what the call needs";
-        case RSH_OUT_OF_MEMORY: return "RSH_OUT_OF_MEMORY: the host is out of memory";
-        case RSH_CANCELLED: return "RSH_CANCELLED: the progress callback asked to stop";
-        case RSH_INTERNAL_ERROR: return "RSH_INTERNAL_ERROR: a defect of rsh";
-        default: return opencl_error_name(status);
+        case RSH_SUCCESS:
+            return "RSH_SUCCESS: no error";
+        case RSH_INVALID_VALUE:
+            return "RSH_INVALID_VALUE: a field is wrong";
+        case RSH_BUFFER_TOO_SMALL:
+            return "RSH_BUFFER_TOO_SMALL: a buffer holds too few bytes";
+        case RSH_NO_DEVICE:
+            return "RSH_NO_DEVICE: no OpenCL platform or device";
+        case RSH_BUILD_FAILED:
+            return "RSH_BUILD_FAILED: a kernel did not compile";
+        case RSH_UNSUPPORTED:
+            return "RSH_UNSUPPORTED: the device lacks what the call needs";
+        case RSH_OUT_OF_MEMORY:
+            return "RSH_OUT_OF_MEMORY: the host is out of memory";
+        case RSH_CANCELLED:
+            return "RSH_CANCELLED: the progress callback asked to stop";
+        case RSH_INTERNAL_ERROR:
+            return "RSH_INTERNAL_ERROR: a defect of rsh";
+        default:
+            return opencl_error_name(status);
     }
 }
 
@@ -96,9 +107,13 @@ const char* rsh_status_string(rsh_status status) {
     return text ? text : "unknown status";
 }
 
-const char* rsh_last_error(void) { return rsh::last_error(); }
+const char* rsh_last_error(void) {
+    return rsh::last_error();
+}
 
-cl_uint rsh_version(void) { return RSH_VERSION; }
+cl_uint rsh_version(void) {
+    return RSH_VERSION;
+}
 
 rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context) {
     return rsh::guarded([&] {
@@ -111,7 +126,9 @@ rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context
     });
 }
 
-void rsh_release_context(rsh_context context) { delete context; }
+void rsh_release_context(rsh_context context) {
+    delete context;
+}
 
 rsh_status rsh_find_device(const char* name, cl_platform_id* platform, cl_device_id* device) {
     return rsh::guarded([&] {
@@ -201,14 +218,15 @@ rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc
     });
 }
 
-rsh_status rsh_traverse(rsh_context context, cl_command_queue queue, const rsh_traverse_desc* desc,
-                        cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
-    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done,
-                        [](rsh::Recorder& recorder, const rsh_traverse_desc& checked) {
-                            rsh::find_engine(checked.engine).traverse(recorder, checked);
-                            recorder.context().statistics.add(
-                                [](rsh_statistics& sums) { ++sums.traversals; });
-                        });
+rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
+                        const rsh_traverse_desc* desc, cl_uint wait_count,
+                        const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(
+        context, {queue, wait_count, wait_list}, desc, done,
+        [](rsh::Recorder& recorder, const rsh_traverse_desc& checked) {
+            rsh::find_engine(checked.engine).traverse(recorder, checked);
+            recorder.context().statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
+        });
 }
 
 rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,
@@ -233,7 +251,8 @@ rsh_status rsh_frame(rsh_context context, cl_command_queue queue, const rsh_fram
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::frame);
 }
 
-rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc, rsh_sizes* sizes) {
+rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc,
+                            rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
         return rsh::sizes_of(size_t{checked.count} * checked.element_bytes,
                              rsh::reduce_scratch(own, checked).bytes());
@@ -249,7 +268,9 @@ const char* rsh_strategy_name(cl_uint strategy) {
     return rsh::name_of(rsh::strategies(), strategy);
 }
 
-const char* rsh_engine_name(cl_uint engine) { return rsh::name_of(rsh::engines(), engine); }
+const char* rsh_engine_name(cl_uint engine) {
+    return rsh::name_of(rsh::engines(), engine);
+}
 
 rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy) {
     return rsh::guarded([&] {

@@ -79,7 +79,9 @@ cl_mem FrameMemory::at(const char* name, cl_uint bounce) const {
     return scratch_[numbered(name, bounce)];
 }
 
-bool FrameMemory::casts_shadows() const { return needs_shadows(desc_); }
+bool FrameMemory::casts_shadows() const {
+    return needs_shadows(desc_);
+}
 
 rsh_rasterize_desc FrameMemory::rasterize() const {
     rsh_rasterize_desc pass = rasterize_of(desc_);
@@ -94,8 +96,8 @@ rsh_bound_desc FrameMemory::bound() const {
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
-    return {sizeof(rsh_build_desc), at("rays", bounce), desc_.width, desc_.height,
-            scratch_["nodes"],      0};
+    return {sizeof(rsh_build_desc), at("rays", bounce), desc_.width,
+            desc_.height,           scratch_["nodes"],  0};
 }
 
 rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
@@ -146,8 +148,12 @@ rsh_spawn_desc FrameMemory::spawn_shadow(cl_uint bounce, cl_uint light) const {
 }
 
 rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
-    return {sizeof(rsh_build_desc), scratch_["shadow rays"], desc_.width, desc_.height,
-            scratch_["nodes"],      desc_.scene->positional_lights >> light & 1};
+    return {sizeof(rsh_build_desc),
+            scratch_["shadow rays"],
+            desc_.width,
+            desc_.height,
+            scratch_["nodes"],
+            desc_.scene->positional_lights >> light & 1};
 }
 
 rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {

@@ -1,6 +1,6 @@
-// wave.hpp - the memory of a frame: one wave of rays per bounce, and what all waves share. A wave is
-// a screen of rays, all reflections or all refractions of the wave before it, inactive where there
-// is none. Declares buffers; pipeline.cpp says what happens in them.
+// wave.hpp - the memory of a frame: one wave of rays per bounce, and what all waves share. A
+// wave is a screen of rays, all reflections or all refractions of the wave before it, inactive
+// where there is none. Declares buffers; pipeline.cpp says what happens in them.
 #pragma once
 
 #include "cl/scratch.hpp"

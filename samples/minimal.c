@@ -31,8 +31,8 @@ static cl_mem make_buffer(cl_context context, size_t bytes, const void* contents
 
 int main(void)
 {
-    /* A triangle in the plane z = 0 and a ray that looks along -z from above its inside. The ray
-     * starts at t = 0 and has no end; its direction need not have length 1. */
+    /* A triangle in the plane z = 0 and a ray that looks along -z from above its inside. The
+     * ray starts at t = 0 and has no end; its direction need not have length 1. */
     static const cl_float vertices[9] = {0, 0, 0, 4, 0, 0, 0, 4, 0};
     static const rsh_ray ray = {{{1, 2, 5, 0}}, {{0, 0, -1, INFINITY}}};
 
@@ -92,8 +92,8 @@ int main(void)
     clReleaseCommandQueue(queue);
     clReleaseContext(context);
 
-    /* The ray meets the plane at (1, 2, 0): t = 5, a quarter along the first edge, half along the
-     * second. All of these are exact in binary. */
+    /* The ray meets the plane at (1, 2, 0): t = 5, a quarter along the first edge, half along
+     * the second. All of these are exact in binary. */
     const int is_right = hit.primitive == 0 && hit.t == 5 && hit.u == 0.25f && hit.v == 0.5f;
     return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

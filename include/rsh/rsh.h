@@ -1,45 +1,49 @@
 /* rsh.h - ray tracing with a hierarchy over the rays, and stream reduction, in portable OpenCL.
  *
- * The scene is never preprocessed: rsh_rasterize finds what the camera sees, rsh_spawn makes the
- * secondary rays, rsh_build bounds them bottom-up in a pyramid of nodes, rsh_traverse pushes all
- * triangles down that pyramid and keeps the closest hits, rsh_shade turns hits into colour.
- * rsh_frame is that loop, made of the same calls. Idea and pipeline: Roger, Assarsson, Holzschuch,
- * "Whitted Ray-Tracing for Dynamic Scenes using a Ray-Space Hierarchy on the GPU", EGSR 2007;
- * stream reduction: the same authors, "Efficient Stream Reduction on the GPU", GPGPU 2007.
+ * The scene is never preprocessed: rsh_rasterize finds what the camera sees, rsh_spawn makes
+ * the secondary rays, rsh_build bounds them bottom-up in a pyramid of nodes, rsh_traverse
+ * pushes all triangles down that pyramid and keeps the closest hits, rsh_shade turns hits into
+ * colour. rsh_frame is that loop, made of the same calls. Idea and pipeline: Roger, Assarsson,
+ * Holzschuch, "Whitted Ray-Tracing for Dynamic Scenes using a Ray-Space Hierarchy on the GPU",
+ * EGSR 2007; stream reduction: the same authors, "Efficient Stream Reduction on the GPU", GPGPU
+ * 2007.
  *
  * Rules for all functions
  *
  *   Ownership  The caller owns cl_context, cl_device_id, cl_command_queue, cl_mem and cl_event.
- *              Buffers are used while the enqueued commands run and must live until then; none is
- *              retained afterwards. To pass a part of a buffer, pass an OpenCL sub-buffer.
- *   Structs    Descriptors start with struct_size = sizeof the struct; a member that is zero or NULL
- *              takes its default. They grow only at the end: any size from that of version 0.1 to
- *              the library's own is taken, and members that the caller lacks count as zero. A
- *              larger one is RSH_INVALID_VALUE: the library is older than the header. The same
- *              holds for rsh_scene, rsh_sizes and rsh_statistics. rsh_geometry, rsh_camera and the
- *              structs in buffers have no struct_size and never grow. Host data that descriptors
- *              point at (a scene, a wait list) is read before the call returns.
- *   Async      A function with (wait_count, wait_list, done) only enqueues: it waits for no event,
- *              flushes nothing, reads nothing back. *done, if `done` is not NULL, is a valid event
- *              of the caller's that ends after everything the call enqueued, also when there was
- *              nothing to do; after a failure it is NULL if nothing was enqueued, else as ever:
- *              until then commands use the call's buffers. As in OpenCL, `done` must not point into
- *              wait_list. In-order and out-of-order queues both work.
- *              rsh_frame, rsh_get_statistics and rsh_create_context may block, and say so.
- *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no buffer:
- *              those may be NULL or too small. It does no device work.
+ *              Buffers are used while the enqueued commands run and must live until then; none
+ *              is retained afterwards. To pass a part of a buffer, pass an OpenCL sub-buffer.
+ *   Structs    Descriptors start with struct_size = sizeof the struct; a member that is zero or
+ *              NULL takes its default. They grow only at the end: any size from that of version
+ *              0.1 to the library's own is taken, and members that the caller lacks count as
+ *              zero. A larger one is RSH_INVALID_VALUE: the library is older than the header.
+ *              The same holds for rsh_scene, rsh_sizes and rsh_statistics. rsh_geometry,
+ *              rsh_camera and the structs in buffers have no struct_size and never grow. Host
+ *              data that descriptors point at (a scene, a wait list) is read before the call
+ *              returns.
+ *   Async      A function with (wait_count, wait_list, done) only enqueues: it waits for no
+ *              event, flushes nothing, reads nothing back. *done, if `done` is not NULL, is a
+ *              valid event of the caller's that ends after everything the call enqueued, also
+ *              when there was nothing to do; after a failure it is NULL if nothing was
+ *              enqueued, else as ever: until then commands use the call's buffers. As in
+ *              OpenCL, `done` must not point into wait_list. In-order and out-of-order queues
+ *              both work. rsh_frame, rsh_get_statistics and rsh_create_context may block, and
+ *              say so.
+ *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no
+ *              buffer: those may be NULL or too small. It does no device work.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
  *              context's pool, which grows on first use and then stays: a block per in-order
  *              queue in use, and on out-of-order queues one per call under way, but that a call
  *              which waits for the event of another takes over its block. No call waits for
- *              another because of it. Contents are undefined before and after; one scratch buffer
- *              serves one call at a time.
+ *              another because of it. Contents are undefined before and after; one scratch
+ *              buffer serves one call at a time.
  *   Errors     Every argument is checked before anything is enqueued; a status other than
  *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure or
  *              RSH_CANCELLED in the middle of a call, when they are undefined and *done tells
  *              when their memory is free again. rsh_last_error() says more.
- *   Threads    Any function may be called from any thread. Calls on one context run side by side
- *              if their output buffers differ; rsh_release_context must be the last call on it.
+ *   Threads    Any function may be called from any thread. Calls on one context run side by
+ *              side if their output buffers differ; rsh_release_context must be the last call
+ *              on it.
  *   Exactness  Hits do not depend on engine, strategy, budget or the order in which work-items
  *              run: they equal brute force with the same ray-triangle routine, bit for bit. Of
  *              equal t, the lower triangle index wins.
@@ -111,7 +115,7 @@ typedef struct rsh_context_desc {
     cl_device_id device;    /* of that context */
     cl_uint vector_width;   /* elements per work-item written out as a vector: 1, 4, 8 or 16;
                                0: what suits the device (1 on GPUs) */
-    const char* cache_dir;  /* programs on disk; NULL: RSH_CACHE_DIR, else the user's cache folder;
+    const char* cache_dir;  /* programs on disk; NULL: RSH_CACHE_DIR, else the user's cache;
                                "": none */
     const char* kernel_dir; /* kernel sources, while developing; NULL: RSH_KERNEL_DIR, else the
                                embedded ones */
@@ -119,18 +123,18 @@ typedef struct rsh_context_desc {
 
 /* Makes a context. Compiles nothing: a program is built by the first call that needs it, which
  * blocks meanwhile. Reads the disk cache's folder name from the environment.
- * Errors: RSH_INVALID_VALUE (device is not of the context), RSH_UNSUPPORTED (no OpenCL C 1.2, no
- * compiler, big-endian). Cost: microseconds. */
+ * Errors: RSH_INVALID_VALUE (device is not of the context), RSH_UNSUPPORTED (no OpenCL C 1.2,
+ * no compiler, big-endian). Cost: microseconds. */
 RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);
 
 /* Frees a context made by rsh_create_context, its programs and its scratch memory, once the
- * commands enqueued by its calls have finished; does not wait for them. While counting, the library
- * must stay loaded until then. NULL is ignored. */
+ * commands enqueued by its calls have finished; does not wait for them. While counting, the
+ * library must stay loaded until then. NULL is ignored. */
 RSH_API void rsh_release_context(rsh_context context);
 
-/* Picks a device, for programs that have no context of their own: the first whose name, or whose
- * platform's, contains `name`; with NULL, RSH_DEVICE from the environment; without that, the first
- * device of the first platform that has one. Errors: RSH_NO_DEVICE. */
+/* Picks a device, for programs that have no context of their own: the first whose name, or
+ * whose platform's, contains `name`; with NULL, RSH_DEVICE from the environment; without that,
+ * the first device of the first platform that has one. Errors: RSH_NO_DEVICE. */
 RSH_API rsh_status rsh_find_device(const char* name, cl_platform_id* platform,
                                    cl_device_id* device);
 
@@ -177,9 +181,9 @@ typedef struct rsh_statistics {
  * enqueued before is not counted. */
 RSH_API rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled);
 
-/* Adds up everything enqueued since rsh_count_statistics. BLOCKS until those commands ended, but
- * not the calls of other threads. Commands that failed count as launches and nothing more. Set
- * statistics->struct_size first. */
+/* Adds up everything enqueued since rsh_count_statistics. BLOCKS until those commands ended,
+ * but not the calls of other threads. Commands that failed count as launches and nothing more.
+ * Set statistics->struct_size first. */
 RSH_API rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics);
 
 /* ---- what a scene needs ---- */
@@ -234,10 +238,10 @@ typedef struct rsh_scene {
                                      light; see rsh_find_features                          */
 } rsh_scene;
 
-/* Fills scene->features, shadow_lights and positional_lights with what these materials and lights (host
- * copies of the device arrays) and the buffers present in `scene` need. Call it when they change;
- * leave a bit out to switch a feature off. Without RSH_FEATURE_REFRACTION a material's transmission
- * counts as 0. */
+/* Fills scene->features, shadow_lights and positional_lights with what these materials and
+ * lights (host copies of the device arrays) and the buffers present in `scene` need. Call it
+ * when they change; leave a bit out to switch a feature off. Without RSH_FEATURE_REFRACTION a
+ * material's transmission counts as 0. */
 RSH_API rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
                                      const rsh_light* lights);
 
@@ -252,7 +256,7 @@ typedef struct rsh_rasterize_desc {
     cl_mem rays;            /* out: width * height x rsh_ray, row by row from the top       */
     cl_mem hits;            /* out: width * height x rsh_hit                                */
     cl_mem scratch;
-    size_t scratch_budget;  /* bytes for the tiles' triangle lists; 0: what usually suffices. With
+    size_t scratch_budget;  /* bytes for the tiles' lists; 0: what usually suffices. With
                                less the call is slower, never wrong                         */
 } rsh_rasterize_desc;
 
@@ -265,10 +269,11 @@ typedef struct rsh_sizes {
 RSH_API rsh_status rsh_rasterize_query(rsh_context context, const rsh_rasterize_desc* desc,
                                        rsh_sizes* sizes);
 
-/* Finds the triangle that each pixel's centre sees, in screen tiles (cf. Laine and Karras 2011).
+/* Finds the triangle that each pixel's centre sees, in screen tiles (cf. Laine and Karras
+ * 2011).
  *
- * Effect:  rays = the camera's rays with unit directions; hits = their closest hits, the same bits
- *          that rsh_traverse finds for these rays: shared edges neither crack nor overlap.
+ * Effect:  rays = the camera's rays with unit directions; hits = their closest hits, the same
+ *          bits that rsh_traverse finds for these rays: shared edges neither crack nor overlap.
  * Limits:  one sample per pixel; triangles across the near plane are clipped by tmin.
  * Errors:  RSH_INVALID_VALUE (camera not finite, no direction), RSH_BUFFER_TOO_SMALL.
  * Cost:    O(triangles + pixels * triangles that cover them); three launches. */
@@ -285,8 +290,8 @@ typedef struct rsh_bound_desc {
                        triangle is never hit */
 } rsh_bound_desc;
 
-/* Bounds every triangle by a sphere, rounded outwards. One linear pass; once per frame, shared by
- * all traversals of that frame. output_bytes of the query: 16 per triangle. */
+/* Bounds every triangle by a sphere, rounded outwards. One linear pass; once per frame, shared
+ * by all traversals of that frame. output_bytes of the query: 16 per triangle. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
@@ -298,7 +303,7 @@ RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
 typedef struct rsh_build_desc {
     size_t struct_size;
     cl_mem rays;      /* in: width * height x rsh_ray                                         */
-    cl_uint width;    /* rays in screen order, row by row; or a list of `width` rays, height 1 */
+    cl_uint width;    /* rays in screen order, row by row; a list of `width` rays: height 1 */
     cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
     cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad       */
     cl_uint converging; /* 1: the rays run towards one point, where t = 1, as shadow rays of a
@@ -311,7 +316,8 @@ typedef struct rsh_build_desc {
 RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc,
                                    rsh_sizes* sizes, rsh_levels* levels);
 
-/* Builds the hierarchy over the rays, bottom-up, one pass per level (Roger et al. 2007, step 2).
+/* Builds the hierarchy over the rays, bottom-up, one pass per level (Roger et al. 2007, step
+ * 2).
  *
  * Effect:  every node contains all active rays below it, rounding included.
  * Cost:    O(rays); one launch per level; 32 bytes per ray at level 0, 11 above. */
@@ -375,11 +381,11 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
 
 /* Intersects scene and hierarchy top-down (Roger et al. 2007, steps 3 and 4).
  *
- * Effect:  all triangles start as pairs with the root; per level, each pair is tested against the
- *          four children and the survivors are packed; survivors at level 0 are intersected.
- *          Triangles are worked off in batches that fit the budget. Pairs that a level cannot hold
- *          are finished depth first by the work-item that meets them, so that no stream overflows,
- *          no pair is lost and no count is read back.
+ * Effect:  all triangles start as pairs with the root; per level, each pair is tested against
+ *          the four children and the survivors are packed; survivors at level 0 are
+ *          intersected. Triangles are worked off in batches that fit the budget. Pairs that a
+ *          level cannot hold are finished depth first by the work-item that meets them, so that
+ *          no stream overflows, no pair is lost and no count is read back.
  * Cost:    O(triangles + pairs); 1 + launches per level * levels, per batch. */
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
@@ -408,22 +414,23 @@ typedef struct rsh_spawn_desc {
     cl_mem active_count;     /* in/out: one cl_uint, grows by the rays spawned; may be NULL   */
 } rsh_spawn_desc;
 
-/* Makes one secondary ray per hit, tmin 0. Origins are moved off the surface along its geometric
- * normal, to the side that the ray leaves to, so far that rounding cannot bring the ray back to its
- * own triangle: 2^-18 of the triangle's extent + 2^-22 of the coordinates (kernels/offset.h; cf.
- * Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
+/* Makes one secondary ray per hit, tmin 0. Origins are moved off the surface along its
+ * geometric normal, to the side that the ray leaves to, so far that rounding cannot bring the
+ * ray back to its own triangle: 2^-18 of the triangle's extent + 2^-22 of the coordinates
+ * (kernels/offset.h; cf. Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
  *
- * Reflection, refraction  unit direction, tmax infinite; its weight is the ray's weight times that
- *         of rsh_material, w: 0. A direction that an interpolated normal would send to the wrong
- *         side of the triangle is mirrored in the triangle's plane. None is made when the weight
- *         is not finite, or its largest component is not above 0 and min_weight.
+ * Reflection, refraction  unit direction, tmax infinite; its weight is the ray's weight times
+ * that
+ *         of rsh_material, w: 0. A direction that an interpolated normal would send to the
+ *         wrong side of the triangle is mirrored in the triangle's plane. None is made when the
+ *         weight is not finite, or its largest component is not above 0 and min_weight.
  * Shadow  runs from the surface to the light: for a point or spot light t = 1 is the light and
- *         tmax 1 - 2^-16, so that the light itself is outside; for a directional one the direction
- *         is unit and tmax infinite. None is made for a light with casts_shadow = 0, nor where the
- *         light adds nothing: the surface faces away, is outside of its cone, gets no colour, or
- *         has neither diffuse nor specular colour.
- * Nothing is made at rays that are inactive or hit nothing. Where no ray is made, the ray is all 0
- * but for tmax = -1, and its weight is 0. One launch. */
+ *         tmax 1 - 2^-16, so that the light itself is outside; for a directional one the
+ *         direction is unit and tmax infinite. None is made for a light with casts_shadow = 0,
+ *         nor where the light adds nothing: the surface faces away, is outside of its cone,
+ *         gets no colour, or has neither diffuse nor specular colour.
+ * Nothing is made at rays that are inactive or hit nothing. Where no ray is made, the ray is
+ * all 0 but for tmax = -1, and its weight is 0. One launch. */
 RSH_API rsh_status rsh_spawn(rsh_context context, cl_command_queue queue,
                              const rsh_spawn_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -441,9 +448,10 @@ typedef struct rsh_shade_desc {
     cl_mem colour;    /* in/out: float4 per ray, linear rgb; a is left alone                  */
 } rsh_shade_desc;
 
-/* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit, see
- * rsh_material, or weight * environment where it hits nothing, to its colour; adds nothing for
- * inactive rays. What mirrored and refracted rays see is added by shading those. One launch. */
+/* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit,
+ * see rsh_material, or weight * environment where it hits nothing, to its colour; adds nothing
+ * for inactive rays. What mirrored and refracted rays see is added by shading those. One
+ * launch. */
 RSH_API rsh_status rsh_shade(rsh_context context, cl_command_queue queue,
                              const rsh_shade_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -456,27 +464,29 @@ typedef struct rsh_frame_desc {
     rsh_camera camera;
     cl_uint width;        /* pixels, 1 .. 16384 */
     cl_uint height;
-    cl_uint bounces;      /* longest chain of secondary rays, at most RSH_MAX_LEVELS; 0: none  */
+    cl_uint bounces;      /* longest chain of secondary rays, at most RSH_MAX_LEVELS       */
     float min_weight;     /* secondary rays that weigh no more are left out; 0: only those
                              that cannot matter                                               */
     cl_uint engine;       /* as in rsh_traverse_desc */
     cl_uint strategy;
     size_t budget;
-    cl_mem colour;        /* out: width * height x float4, linear rgb, a = 1 where the pixel sees
+    cl_mem colour;        /* out: width * height x float4, linear rgb; a = 1 where it sees
                              a triangle, else 0                                               */
     cl_mem scratch;
-    rsh_progress progress; /* called before each wave of rays with its number; batch_count 0   */
+    rsh_progress progress; /* called before each wave of rays with its number; count 0      */
     void* progress_user;
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,
                                    rsh_sizes* sizes);
 
-/* Renders a frame: rasterize, then per wave of rays: build, traverse, cast shadows, shade, spawn.
+/* Renders a frame: rasterize, then per wave of rays: build, traverse, cast shadows, shade,
+ * spawn.
  *
  * Waves are the nodes of the ray tree, depth first: all reflections of a wave, then all its
  * refractions. Memory is that of one wave per bounce.
- * BLOCKS once per secondary wave, to read how many rays it holds: an empty one ends its branch. */
+ * BLOCKS once per secondary wave, to read how many rays it holds: an empty one ends its
+ * branch. */
 RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
                              const rsh_frame_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -493,9 +503,9 @@ typedef struct rsh_reduce_desc {
     cl_uint strategy;
     cl_uint keep;            /* RSH_KEEP_... */
     cl_uint element_bytes;   /* 4, 8, 12 or 16 */
-    cl_uint count;           /* elements of the input, at most 2^31; with input_count: at most so
+    cl_uint count;           /* elements of input, at most 2^31; with input_count: at most so
                                 many                                                          */
-    cl_mem input_count;      /* in: one cl_uint on the device, not above `count`; NULL: `count` */
+    cl_mem input_count;      /* in: one cl_uint on the device, up to `count`; NULL: `count`   */
     cl_mem input;            /* in */
     cl_mem flags;            /* in: one byte per element; RSH_KEEP_FLAGS only                 */
     cl_mem output;           /* out: room for every element kept, at least one             */

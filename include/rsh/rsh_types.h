@@ -64,7 +64,7 @@ RSH_ASSERT_SIZE(rsh_hit, 16);
 /* Element of the stream that the traversal works on. */
 typedef struct rsh_pair {
     rsh_uint triangle; /* RSH_NO_HIT: the pair did not survive */
-    rsh_uint node;     /* in a grid row * 65536 + column, in a list the index; at level 0 the ray */
+    rsh_uint node;     /* grid: row * 65536 + column; list: the index; level 0: the ray */
 } rsh_pair;
 RSH_ASSERT_SIZE(rsh_pair, 8);
 
@@ -111,13 +111,15 @@ RSH_ASSERT_SIZE(rsh_camera, 64);
  * A surface sends out  emission + ambient * scene ambient
  *   + for each light that reaches it: colour that arrives
  *     * (diffuse * cos(normal, to light) + specular * cos(normal, halfway to viewer)^shininess)
- *   + reflected weight * what the mirror ray sees + refracted weight * what the refracted ray sees.
- * The geometric normal n = (v1 - v0) x (v2 - v0) points to the outside. For shading it is turned to
- * the side that the ray comes from, and replaced by the interpolated vertex normal, turned to
- * that same side, unless this one is zero. A light reaches the surface when both normals face it.
- * With transmission, the weights follow Fresnel's reflectance F of an unpolarized dielectric:
- * reflected F + (1 - F) * reflection, refracted (1 - F) * transmission; F = 1 under total internal
- * reflection. Without transmission the reflected weight is `reflection`. */
+ *   + reflected weight * what the mirror ray sees + refracted weight * what the refracted ray
+ *   sees.
+ * The geometric normal n = (v1 - v0) x (v2 - v0) points to the outside. For shading it is
+ * turned to the side that the ray comes from, and replaced by the interpolated vertex normal,
+ * turned to that same side, unless this one is zero. A light reaches the surface when both
+ * normals face it. With transmission, the weights follow Fresnel's reflectance F of an
+ * unpolarized dielectric: reflected F + (1 - F) * reflection, refracted (1 - F) * transmission;
+ * F = 1 under total internal reflection. Without transmission the reflected weight is
+ * `reflection`. */
 typedef struct rsh_material {
     rsh_float4 ambient;      /* rgb, w: 0 */
     rsh_float4 diffuse;      /* rgb, w: 0; multiplied by the texture */
@@ -151,8 +153,8 @@ RSH_ASSERT_SIZE(rsh_light, 80);
 #define RSH_TEXEL_SRGB8 0u   /* 4 bytes r g b a, sRGB-encoded */
 #define RSH_TEXEL_FLOAT32 1u /* 4 floats r g b a, linear       */
 
-/* One image in the texel buffer; rows from top to bottom, v = 1 is the top edge. Texels are decoded,
- * then interpolated between their centres (bilinear); a is ignored. Images repeat.
+/* One image in the texel buffer; rows from top to bottom, v = 1 is the top edge. Texels are
+ * decoded, then interpolated between their centres (bilinear); a is ignored. Images repeat.
  * As a latitude-longitude image, a unit direction (x, y, z) looks at
  *   u = 0.5 + atan2(x, -z) / (2 pi),  v = 0.5 + asin(y) / pi
  * and the image repeats in u only: the middle is -z, the top +y. */

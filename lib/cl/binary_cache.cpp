@@ -44,14 +44,15 @@ std::string temporary_suffix() {
 bool is_orphan(const fs::directory_entry& entry) {
     const fs::path& path = entry.path();
     if (path.extension() != kTemporarySuffix) return false;
-    if (path.filename().string().find(std::string(kSuffix) + ".") == std::string::npos) return false;
+    if (path.filename().string().find(std::string(kSuffix) + ".") == std::string::npos)
+        return false;
     std::error_code failed;
     const fs::file_time_type written = entry.last_write_time(failed);
     return !failed && written < fs::file_time_type::clock::now() - kOrphanAge;
 }
 
-// What `work` returns, or as good as nothing: reading a folder throws in iostreams, entropy may be
-// missing, memory too.
+// What `work` returns, or as good as nothing: reading a folder throws in iostreams, entropy may
+// be missing, memory too.
 template <class Work>
 auto unless_it_fails(Work work) noexcept -> decltype(work()) {
     try {
@@ -62,7 +63,8 @@ auto unless_it_fails(Work work) noexcept -> decltype(work()) {
 }
 
 std::string file_header(const std::string& key, const std::vector<unsigned char>& binary) {
-    const uint64_t words[3] = {key.size(), binary.size(), hash(binary.data(), binary.size(), 0)};
+    const uint64_t words[3] = {key.size(), binary.size(),
+                               hash(binary.data(), binary.size(), 0)};
     std::string header(kMagic, sizeof kMagic);
     header.append(reinterpret_cast<const char*>(words), sizeof words);
     return header + key;
@@ -126,7 +128,8 @@ std::optional<std::vector<unsigned char>> BinaryCache::read(const std::string& k
     return binary;
 }
 
-void BinaryCache::write(const std::string& key, const std::vector<unsigned char>& binary) const {
+void BinaryCache::write(const std::string& key,
+                        const std::vector<unsigned char>& binary) const {
     std::error_code failed;
     fs::create_directories(folder_, failed);
     const std::string path = path_of(key), temporary = path + temporary_suffix();

@@ -1,9 +1,9 @@
 // binary_cache.hpp - compiled programs in a folder on disk. Knows bytes and keys, no OpenCL.
 //
-// A file holds a key, a checksum and the binary, or no binary yet; it is written under a temporary
-// name and renamed, so a reader sees all of it or nothing. Files used least recently go when the
-// folder grows past its cap, and temporary ones that a process left behind. Nothing here throws:
-// any failure only means that a program is compiled again.
+// A file holds a key, a checksum and the binary, or no binary yet; it is written under a
+// temporary name and renamed, so a reader sees all of it or nothing. Files used least recently
+// go when the folder grows past its cap, and temporary ones that a process left behind. Nothing
+// here throws: any failure only means that a program is compiled again.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ public:
     explicit BinaryCache(std::string folder, uint64_t max_bytes = kMaxBytes)
         : folder_(std::move(folder)), max_bytes_(max_bytes) {}
 
-    // Folder from the descriptor, else RSH_CACHE_DIR, else XDG_CACHE_HOME/rsh, else ~/.cache/rsh.
+    // Folder from the descriptor, else RSH_CACHE_DIR, else XDG_CACHE_HOME/rsh, else
+    // ~/.cache/rsh.
     static std::string folder_for(const char* requested);
 
     std::optional<std::vector<unsigned char>> load(const std::string& key) const noexcept;

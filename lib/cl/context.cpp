@@ -17,8 +17,8 @@ cl::Device checked_device(const cl::Context& context, cl_device_id device) {
 cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
     if (requested == 0) return caps.is_cpu ? caps.vector_width : 1;
     if (requested == 1 || requested == 4 || requested == 8 || requested == 16) return requested;
-    throw Error(RSH_INVALID_VALUE, "vector_width: is " + std::to_string(requested) +
-                                       ", must be 0, 1, 4, 8 or 16");
+    throw Error(RSH_INVALID_VALUE,
+                "vector_width: is " + std::to_string(requested) + ", must be 0, 1, 4, 8 or 16");
 }
 
 std::string build_options(cl_uint vector_width, const DeviceCaps& caps) {
@@ -73,13 +73,13 @@ cl::Device find_device(const char* name) {
     std::string seen;
     for (const cl::Platform& platform : all_platforms())
         for (const cl::Device& device : devices_of(platform)) {
-            const std::string label = platform.getInfo<CL_PLATFORM_NAME>() + ": " +
-                                      device.getInfo<CL_DEVICE_NAME>();
+            const std::string label =
+                platform.getInfo<CL_PLATFORM_NAME>() + ": " + device.getInfo<CL_DEVICE_NAME>();
             if (label.find(wanted) != std::string::npos) return device;
             seen += (seen.empty() ? "" : ", ") + label;
         }
-    throw Error(RSH_NO_DEVICE, "name: no device contains \"" + wanted + "\"; there are: " +
-                                   (seen.empty() ? "none" : seen));
+    throw Error(RSH_NO_DEVICE, "name: no device contains \"" + wanted +
+                                   "\"; there are: " + (seen.empty() ? "none" : seen));
 }
 
 }  // namespace rsh

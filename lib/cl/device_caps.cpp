@@ -9,9 +9,10 @@ namespace {
 
 std::string identity_of(const cl::Device& device) {
     const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
-    return platform.getInfo<CL_PLATFORM_NAME>() + '\n' + platform.getInfo<CL_PLATFORM_VERSION>() +
-           '\n' + device.getInfo<CL_DEVICE_NAME>() + '\n' + device.getInfo<CL_DEVICE_VERSION>() +
-           '\n' + device.getInfo<CL_DRIVER_VERSION>();
+    return platform.getInfo<CL_PLATFORM_NAME>() + '\n' +
+           platform.getInfo<CL_PLATFORM_VERSION>() + '\n' + device.getInfo<CL_DEVICE_NAME>() +
+           '\n' + device.getInfo<CL_DEVICE_VERSION>() + '\n' +
+           device.getInfo<CL_DRIVER_VERSION>();
 }
 
 // What the compiler prefers is no guide: where it vectorizes across work-items that is 1.

@@ -11,8 +11,8 @@ struct DeviceCaps {
     explicit DeviceCaps(const cl::Device& device);
 
     bool is_cpu;
-    bool correctly_rounded;   // divide and square root may be asked to round correctly
-    cl_uint vector_width;     // of the registers, in floats: 1, 4, 8 or 16
+    bool correctly_rounded;  // divide and square root may be asked to round correctly
+    cl_uint vector_width;    // of the registers, in floats: 1, 4, 8 or 16
     cl_uint compute_units;
     size_t max_group_size;
     size_t group_size;        // of element-wise kernels

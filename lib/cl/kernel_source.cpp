@@ -12,14 +12,14 @@ namespace {
 std::string read_embedded(const std::string& name) {
     for (size_t i = 0; i < kEmbeddedFileCount; ++i)
         if (name == kEmbeddedFiles[i].name)
-            return {reinterpret_cast<const char*>(kEmbeddedFiles[i].text), kEmbeddedFiles[i].bytes};
+            return {reinterpret_cast<const char*>(kEmbeddedFiles[i].text),
+                    kEmbeddedFiles[i].bytes};
     throw Error(RSH_INTERNAL_ERROR, "no embedded kernel file " + name);
 }
 
 // The types header is shared with the host and lives in include/rsh, not among the kernels.
 std::string read_from(const std::string& folder, const std::string& name) {
-    const std::string path =
-        folder + (name == "rsh_types.h" ? "/../include/rsh/" : "/") + name;
+    const std::string path = folder + (name == "rsh_types.h" ? "/../include/rsh/" : "/") + name;
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(RSH_INVALID_VALUE, "kernel_dir: cannot read " + path);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -37,7 +37,8 @@ public:
 
     void expand(const std::string& name) {
         if (!seen_.insert(name).second) return;
-        std::istringstream text(folder_.empty() ? read_embedded(name) : read_from(folder_, name));
+        std::istringstream text(folder_.empty() ? read_embedded(name)
+                                                : read_from(folder_, name));
         mark(1, name);
         std::string line;
         for (int number = 1; std::getline(text, line); ++number) {

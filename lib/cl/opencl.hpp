@@ -1,4 +1,5 @@
-// opencl.hpp - the one place that configures the C++ bindings: OpenCL 1.2, errors as exceptions.
+// opencl.hpp - the one place that configures the C++ bindings: OpenCL 1.2, errors as
+// exceptions.
 #pragma once
 
 #ifndef CL_TARGET_OPENCL_VERSION

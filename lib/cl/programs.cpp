@@ -8,15 +8,15 @@
 namespace rsh {
 namespace {
 
-// A program is stored the second time that compiling it took longer than this. Drivers that cache
-// what they compile are quick by then and never pay for handing it out: PoCL compiles every
-// kernel once more for that, two seconds for the traversal's.
+// A program is stored the second time that compiling it took longer than this. Drivers that
+// cache what they compile are quick by then and never pay for handing it out: PoCL compiles
+// every kernel once more for that, two seconds for the traversal's.
 constexpr double kSlowSeconds = 0.2;
 
 }  // namespace
 
-// One built program and its idle kernels. Built under its own mutex: a second thread that needs the
-// same program waits, one that needs another does not.
+// One built program and its idle kernels. Built under its own mutex: a second thread that needs
+// the same program waits, one that needs another does not.
 struct Programs::Program {
     std::mutex mutex;
     cl::Program program;
@@ -54,8 +54,7 @@ Programs::~Programs() = default;
 
 Programs::Program& Programs::program(const KernelName& name) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    std::unique_ptr<Program>& found =
-        programs_[std::string(name.program) + ' ' + name.options];
+    std::unique_ptr<Program>& found = programs_[std::string(name.program) + ' ' + name.options];
     if (!found) found = std::make_unique<Program>();
     return *found;
 }
@@ -71,8 +70,8 @@ BorrowedKernel Programs::borrow(const KernelName& name) {
 cl::Program Programs::make(const KernelName& name) {
     const std::string source = kernel_source(name.program, kernel_folder_);
     const std::string options = options_ + ' ' + name.options;
-    const std::string key = std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' +
-                            source;
+    const std::string key =
+        std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' + source;
     cl::Program program = load(key, options);
     if (program()) return program;
     const auto start = std::chrono::steady_clock::now();
@@ -107,9 +106,10 @@ cl::Program Programs::compile(const KernelName& name, const std::string& source,
     } catch (const cl::BuildError& error) {
         failed = error.err();
     }
-    throw Error(RSH_BUILD_FAILED, std::string(name.program) + ".cl (" + options + "): " +
-                                      (opencl_error_name(failed) ? opencl_error_name(failed) : "") +
-                                      '\n' + program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
+    throw Error(RSH_BUILD_FAILED,
+                std::string(name.program) + ".cl (" + options +
+                    "): " + (opencl_error_name(failed) ? opencl_error_name(failed) : "") +
+                    '\n' + program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
 }
 
 // Failing to store costs the next process a compilation, and this one nothing.

@@ -1,6 +1,6 @@
 // programs.hpp - kernels by name. Builds a program on first use, from the disk cache or from
-// source, and lends out kernel objects: clSetKernelArg on a shared kernel is not thread-safe, so no
-// two calls ever hold the same one.
+// source, and lends out kernel objects: clSetKernelArg on a shared kernel is not thread-safe,
+// so no two calls ever hold the same one.
 #pragma once
 
 #include <atomic>
@@ -54,8 +54,8 @@ private:
 
 class Programs {
 public:
-    Programs(cl::Context context, cl::Device device, const DeviceCaps& caps, std::string options,
-             std::string cache_folder, std::string kernel_folder);
+    Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
+             std::string options, std::string cache_folder, std::string kernel_folder);
     ~Programs();
 
     BorrowedKernel borrow(const KernelName& name);

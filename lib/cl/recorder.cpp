@@ -25,12 +25,13 @@ void Recorder::enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& 
     const size_t groups = (range.items + range.group_size - 1) / range.group_size;
     cl::Event event;
     try {
-        queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * range.group_size),
+        queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
+                                    cl::NDRange(groups * range.group_size),
                                     cl::NDRange(range.group_size), waits(), &event);
     } catch (const cl::Error& error) {
         const char* code = opencl_error_name(error.err());
-        throw Error(error.err(), std::string(error.what()) + " of " + name.kernel + " failed: " +
-                                     (code ? code : std::to_string(error.err())));
+        throw Error(error.err(), std::string(error.what()) + " of " + name.kernel +
+                                     " failed: " + (code ? code : std::to_string(error.err())));
     }
     record(stage, event);
 }
@@ -63,8 +64,8 @@ void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes) {
 void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use) {
     CountRead read(word_count, std::move(use));
     cl::Event event;
-    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0, word_count * sizeof(cl_uint),
-                             read.words(), waits(), &event);
+    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0,
+                             word_count * sizeof(cl_uint), read.words(), waits(), &event);
     read.began(event);
     continue_after(event);
     context_.statistics.add_read(std::move(read));
@@ -86,8 +87,8 @@ cl_mem Recorder::borrow_scratch(size_t bytes) {
     return blocks_.back().buffer();
 }
 
-// The last command ends after all others. No marker behind it: PoCL 3.1 lets one wait for whatever
-// the queue holds, also when it is given a wait list and the queue is out of order.
+// The last command ends after all others. No marker behind it: PoCL 3.1 lets one wait for
+// whatever the queue holds, also when it is given a wait list and the queue is out of order.
 void Recorder::finish() {
     if (!done_ || enqueued_) return;
     cl::Event event;

@@ -1,5 +1,5 @@
-// recorder.hpp - enqueues one call's work: borrows kernels, sets their arguments, launches them in
-// order, keeps their events. The only code that enqueues anything.
+// recorder.hpp - enqueues one call's work: borrows kernels, sets their arguments, launches them
+// in order, keeps their events. The only code that enqueues anything.
 #pragma once
 
 #include <rsh/rsh.h>
@@ -20,14 +20,14 @@ struct Submission {
 };
 
 struct Range {
-    size_t items;       // rounded up to whole groups
+    size_t items;  // rounded up to whole groups
     size_t group_size;
 };
 
 class Recorder {
 public:
-    // `done` may be NULL. The destructor sets *done to the last command, also after a failure in
-    // the middle, so that the caller learns when its buffers are free again.
+    // `done` may be NULL. The destructor sets *done to the last command, also after a failure
+    // in the middle, so that the caller learns when its buffers are free again.
     Recorder(Context& context, const Submission& submission, cl_event* done);
     ~Recorder();
     Recorder(const Recorder&) = delete;
@@ -35,8 +35,8 @@ public:
 
     Context& context() { return context_; }
 
-    // Enqueues a kernel after everything recorded before. Arguments in the kernel's order: cl_mem,
-    // cl::LocalSpaceArg, scalars and structs. An empty range enqueues nothing.
+    // Enqueues a kernel after everything recorded before. Arguments in the kernel's order:
+    // cl_mem, cl::LocalSpaceArg, scalars and structs. An empty range enqueues nothing.
     template <class... Arguments>
     void launch(cl_uint stage, const KernelName& name, const Range& range,
                 const Arguments&... arguments) {
@@ -50,8 +50,8 @@ public:
     // One work-item per element, in groups of the device's usual size.
     Range range(size_t items) const { return {items, context_.caps.group_size}; }
 
-    // Enough work-items to fill the device, for a stream whose length only the device knows; see
-    // kernels/stride.h.
+    // Enough work-items to fill the device, for a stream whose length only the device knows;
+    // see kernels/stride.h.
     Range stream_range() const;
 
     // Sets `bytes` (a multiple of 4) at the front of `buffer` to a repeated word.
@@ -64,7 +64,8 @@ public:
     // Memory of the context's pool that no other call touches until this call's commands ended.
     cl_mem borrow_scratch(size_t bytes);
 
-    // Sees to an event for the caller when nothing was enqueued: one for the end of the wait list.
+    // Sees to an event for the caller when nothing was enqueued: one for the end of the wait
+    // list.
     void finish();
 
 private:

@@ -29,8 +29,9 @@ Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given) {
         if (part.bytes == 0) continue;
         const cl_buffer_region region = {span.offset + part.offset, part.bytes};
         cl::Buffer root = span.root;
-        parts_.push_back({part.name, root.createSubBuffer(CL_MEM_READ_WRITE,
-                                                          CL_BUFFER_CREATE_TYPE_REGION, &region)});
+        parts_.push_back(
+            {part.name,
+             root.createSubBuffer(CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION, &region)});
     }
 }
 

@@ -1,6 +1,6 @@
-// scratch_pool.hpp - device memory for calls that bring none. A block is lent to one call at a time,
-// and only to a call that need not wait for its last user: two queues get two blocks. Blocks grow
-// and are kept; a call on a queue that worked before allocates nothing.
+// scratch_pool.hpp - device memory for calls that bring none. A block is lent to one call at a
+// time, and only to a call that need not wait for its last user: two queues get two blocks.
+// Blocks grow and are kept; a call on a queue that worked before allocates nothing.
 #pragma once
 
 #include <mutex>
@@ -20,8 +20,8 @@ class ScratchPool {
 public:
     explicit ScratchPool(cl::Context context) : context_(std::move(context)) {}
 
-    // For commands on `queue` after `waits`: the smallest block free for them that holds `bytes`;
-    // else the largest free one is replaced.
+    // For commands on `queue` after `waits`: the smallest block free for them that holds
+    // `bytes`; else the largest free one is replaced.
     ScratchBlock borrow(size_t bytes, const cl::CommandQueue& queue,
                         const std::vector<cl::Event>& waits);
     void give_back(ScratchBlock block) noexcept;

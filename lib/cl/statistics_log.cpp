@@ -11,9 +11,12 @@ cl_int status_of(const cl::Event& event) {
 }
 
 // A command that failed makes the wait fail; it has ended all the same.
-void wait_for(const cl::Event& event) { clWaitForEvents(1, &event()); }
+void wait_for(const cl::Event& event) {
+    clWaitForEvents(1, &event());
+}
 
-// CL_PROFILING_INFO_NOT_AVAILABLE is no failure: the queue does not measure, or the command failed.
+// CL_PROFILING_INFO_NOT_AVAILABLE is no failure: the queue does not measure, or the command
+// failed.
 cl_ulong duration_ns(const cl::Event& event) {
     cl_ulong start = 0, end = 0;
     if (clGetEventProfilingInfo(event(), CL_PROFILING_COMMAND_START, sizeof start, &start,
@@ -24,7 +27,9 @@ cl_ulong duration_ns(const cl::Event& event) {
     return end > start ? end - start : 0;
 }
 
-void CL_CALLBACK free_words(cl_event, cl_int, void* words) { delete[] static_cast<cl_uint*>(words); }
+void CL_CALLBACK free_words(cl_event, cl_int, void* words) {
+    delete[] static_cast<cl_uint*>(words);
+}
 
 }  // namespace
 
@@ -37,7 +42,9 @@ CountRead::~CountRead() {
         wait_for(event_);
 }
 
-void CountRead::wait() const { wait_for(event_); }
+void CountRead::wait() const {
+    wait_for(event_);
+}
 
 void CountRead::add_to(rsh_statistics& sums) const {
     if (status_of(event_) == CL_COMPLETE) use_(sums, words_.get());
@@ -92,8 +99,8 @@ rsh_statistics StatisticsLog::sum() {
     return sums_;
 }
 
-// Folds what was recorded into the sums, so that a long count stays small. What another thread's
-// enable() dropped meanwhile is not of this count any more.
+// Folds what was recorded into the sums, so that a long count stays small. What another
+// thread's enable() dropped meanwhile is not of this count any more.
 void StatisticsLog::settle() {
     Pending taken;
     unsigned period = 0;

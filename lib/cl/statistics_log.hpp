@@ -1,5 +1,6 @@
-// statistics_log.hpp - what the calls on a context did, while counting is switched on: events per
-// stage and counts read back from the device. Adding up waits; recording and switching do not.
+// statistics_log.hpp - what the calls on a context did, while counting is switched on: events
+// per stage and counts read back from the device. Adding up waits; recording and switching do
+// not.
 #pragma once
 
 #include <rsh/rsh.h>
@@ -13,8 +14,8 @@
 
 namespace rsh {
 
-// Words that a non-blocking read fills until its event, and what they mean. Dropped before that,
-// the words stay until the read ended.
+// Words that a non-blocking read fills until its event, and what they mean. Dropped before
+// that, the words stay until the read ended.
 class CountRead {
 public:
     using Use = std::function<void(rsh_statistics&, const cl_uint*)>;

@@ -1,5 +1,5 @@
-// check_fields.hpp - checks of fields that several descriptors have. The files check_*.cpp alone
-// include it.
+// check_fields.hpp - checks of fields that several descriptors have. The files check_*.cpp
+// alone include it.
 #pragma once
 
 #include "core/check.hpp"

@@ -16,7 +16,8 @@ struct Code {
     const char* name;
 };
 
-#define RSH_CODE(name) {name, #name}
+#define RSH_CODE(name) \
+    { name, #name }
 constexpr Code kCodes[] = {
     RSH_CODE(CL_DEVICE_NOT_FOUND),
     RSH_CODE(CL_DEVICE_NOT_AVAILABLE),
@@ -69,14 +70,18 @@ rsh_status fail(rsh_status status, const std::string& message) noexcept {
 
 }  // namespace
 
-const char* last_error() noexcept { return message_of_thread; }
+const char* last_error() noexcept {
+    return message_of_thread;
+}
 
 void set_last_error(const std::string& message) noexcept {
     const size_t length = message.copy(message_of_thread, kMessageBytes - 1);
     message_of_thread[length] = '\0';
 }
 
-void clear_last_error() noexcept { message_of_thread[0] = '\0'; }
+void clear_last_error() noexcept {
+    message_of_thread[0] = '\0';
+}
 
 const char* opencl_error_name(cl_int code) noexcept {
     for (const Code& known : kCodes)
@@ -93,8 +98,8 @@ rsh_status guarded_call(void (*body)(void*), void* argument) noexcept {
         return fail(error.status(), error.what());
     } catch (const cl::Error& error) {
         const char* name = opencl_error_name(error.err());
-        return fail(error.err(), std::string(error.what()) + " failed: " +
-                                     (name ? name : std::to_string(error.err())));
+        return fail(error.err(), std::string(error.what()) +
+                                     " failed: " + (name ? name : std::to_string(error.err())));
     } catch (const std::bad_alloc&) {
         return fail(RSH_OUT_OF_MEMORY, "the host is out of memory");
     } catch (const std::exception& error) {

@@ -1,9 +1,10 @@
-// struct_size.hpp - how structs of the API grow: what a program built for an older header passes
-// is shorter, and the members it lacks count as zero. Complains about nothing; check.hpp does.
+// struct_size.hpp - how structs of the API grow: what a program built for an older header
+// passes is shorter, and the members it lacks count as zero. Complains about nothing; check.hpp
+// does.
 //
-// A struct that gains a member keeps its row below: that is the shortest size ever accepted. The
-// member must start at or behind that size, never in the padding before it, which older programs
-// leave undefined.
+// A struct that gains a member keeps its row below: that is the shortest size ever accepted.
+// The member must start at or behind that size, never in the padding before it, which older
+// programs leave undefined.
 #pragma once
 
 #include <rsh/rsh.h>
@@ -41,7 +42,8 @@ RSH_FIRST_VERSION(rsh_frame_desc, progress_user);
 RSH_FIRST_VERSION(rsh_reduce_desc, scratch);
 #undef RSH_FIRST_VERSION
 
-// Not more than this version's size either: what lies behind may be a wish that it cannot fulfil.
+// Not more than this version's size either: what lies behind may be a wish that it cannot
+// fulfil.
 template <class Struct>
 constexpr bool is_known_size(size_t bytes) {
     return bytes >= FirstVersion<Struct>::bytes && bytes <= sizeof(Struct);

@@ -21,8 +21,7 @@ void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) con
     const cl_uint rays = static_cast<cl_uint>(ray_count(levels_of(desc.width, desc.height)));
     const size_t rays_per_item = size_t{kVectorsPerItem} * context.vector_width;
     const size_t group = context.vector_width > 1 ? 1 : context.caps.group_size;
-    recorder.launch(RSH_STAGE_INTERSECT,
-                    {"brute_force", "rsh_brute_force"},
+    recorder.launch(RSH_STAGE_INTERSECT, {"brute_force", "rsh_brute_force"},
                     {(rays + rays_per_item - 1) / rays_per_item, group}, mesh_of(geometry),
                     geometry.vertices, geometry.indices, desc.rays, rays, desc.hits,
                     desc.occlusion, occlusion_mask(desc));

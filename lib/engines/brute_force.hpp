@@ -1,4 +1,5 @@
-// brute_force.hpp - every ray against every triangle (brute_force.cl): what the others must equal.
+// brute_force.hpp - every ray against every triangle (brute_force.cl): what the others must
+// equal.
 #pragma once
 
 #include "engines/engine.hpp"

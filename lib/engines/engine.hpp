@@ -1,5 +1,5 @@
-// engine.hpp - one way to find what rays hit. All engines give the same bits; list.cpp knows which
-// ones there are.
+// engine.hpp - one way to find what rays hit. All engines give the same bits; list.cpp knows
+// which ones there are.
 #pragma once
 
 #include <vector>

@@ -16,7 +16,8 @@ const Engine& find_engine(cl_uint id) {
     if (id == RSH_ENGINE_DEFAULT) return *engines().front();
     for (const Engine* engine : engines())
         if (engine->id() == id) return *engine;
-    throw Error(RSH_INVALID_VALUE, "engine: is " + std::to_string(id) + ", must be RSH_ENGINE_...");
+    throw Error(RSH_INVALID_VALUE,
+                "engine: is " + std::to_string(id) + ", must be RSH_ENGINE_...");
 }
 
 }  // namespace rsh

@@ -34,9 +34,10 @@ bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles, cl
     return triangles * nodes > limit;
 }
 
-// A batch starts as a quarter of what a level can test: streams grow on their way down, and what
-// outgrows the limit is walked depth first.
-cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels, cl_uint limit) {
+// A batch starts as a quarter of what a level can test: streams grow on their way down, and
+// what outgrows the limit is walked depth first.
+cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
+                        cl_uint limit) {
     const cl_uint all = desc.geometry.triangle_count;
     if (!can_overflow(levels, 1, all, limit)) return all;
     return std::max<cl_uint>(1, std::min(all, limit / 4));
@@ -125,8 +126,8 @@ private:
 
     void report_progress(cl_uint batch, cl_uint batch_count) {
         if (desc_.progress && desc_.progress(batch, batch_count, desc_.progress_user))
-            throw Error(RSH_CANCELLED, "progress: asked to stop before batch " +
-                                           std::to_string(batch));
+            throw Error(RSH_CANCELLED,
+                        "progress: asked to stop before batch " + std::to_string(batch));
     }
 
     Recorder& recorder_;

@@ -16,7 +16,8 @@ rsh_levels levels_of(cl_uint width, cl_uint height) {
     cl_uint quads = 0;
     do {
         const cl_uint l = levels.count++;
-        levels.width[l + 1] = levels.is_list ? (levels.width[l] + 3) / 4 : (levels.width[l] + 1) / 2;
+        levels.width[l + 1] =
+            levels.is_list ? (levels.width[l] + 3) / 4 : (levels.width[l] + 1) / 2;
         levels.height[l + 1] = (levels.height[l] + 1) / 2;
         levels.first_quad[l] = quads;
         quads += levels.width[l + 1] * levels.height[l + 1];
@@ -38,8 +39,8 @@ void build(Recorder& recorder, const rsh_build_desc& desc) {
     const auto parents = [&levels](cl_uint level) {
         return size_t{levels.width[level + 1]} * levels.height[level + 1];
     };
-    recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_leaves"}, recorder.range(parents(0)),
-                    levels, desc.rays, desc.converging, desc.nodes);
+    recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_leaves"},
+                    recorder.range(parents(0)), levels, desc.rays, desc.converging, desc.nodes);
     for (cl_uint level = 1; level < levels.count; ++level)
         recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_level"},
                         recorder.range(parents(level)), levels, level, desc.nodes);

@@ -28,9 +28,9 @@ void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {
     if (desc.query == RSH_QUERY_ANY) return;
     const rsh_geometry& geometry = desc.geometry;
     const cl_uint rays = static_cast<cl_uint>(ray_count(levels_of(desc.width, desc.height)));
-    recorder.launch(RSH_STAGE_INTERSECT, {"program_traverse", "rsh_resolve"}, recorder.range(rays),
-                    mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays, rays,
-                    desc.hits);
+    recorder.launch(RSH_STAGE_INTERSECT, {"program_traverse", "rsh_resolve"},
+                    recorder.range(rays), mesh_of(geometry), geometry.vertices,
+                    geometry.indices, desc.rays, rays, desc.hits);
 }
 
 }  // namespace rsh

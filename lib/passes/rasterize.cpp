@@ -13,7 +13,8 @@ constexpr cl_uint kMaxChunks = 64;       // 4 bytes per tile each: little beside
 constexpr cl_uint kChunksPerUnit = 4;    // chunks are unequal work: several per compute unit
 constexpr cl_uint kMinChunkLength = 64;  // triangles
 
-// Room by default: small triangles touch 1 to 4 tiles, and a few in each chunk cover everything.
+// Room by default: small triangles touch 1 to 4 tiles, and a few in each chunk cover
+// everything.
 constexpr cl_ulong kEntriesPerTriangle = 4;
 constexpr cl_ulong kEntriesPerTile = 4;
 

@@ -1,5 +1,5 @@
-// surface_kernel.hpp - which variant of the kernels that work on hits (program_surface.cl) a scene
-// needs: one program per set of features.
+// surface_kernel.hpp - which variant of the kernels that work on hits (program_surface.cl) a
+// scene needs: one program per set of features.
 #pragma once
 
 #include <rsh/rsh.h>

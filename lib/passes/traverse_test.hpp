@@ -1,5 +1,6 @@
 // traverse_test.hpp - one level of the traversal: cone-sphere tests of a stream of pairs
-// (traverse_test.cl), and the depth-first end of what the stream cannot hold (traverse_walk.cl).
+// (traverse_test.cl), and the depth-first end of what the stream cannot hold
+// (traverse_walk.cl).
 #pragma once
 
 #include "cl/recorder.hpp"

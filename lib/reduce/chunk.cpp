@@ -23,17 +23,19 @@ void Chunk::reserve(Layout& scratch, const Context& context, cl_uint count) cons
     scratch.add_array<cl_uint>("reduce counts", runs(context, count).items);
 }
 
-void Chunk::enqueue(Recorder& recorder, const ReduceStream& stream, const Scratch& scratch) const {
+void Chunk::enqueue(Recorder& recorder, const ReduceStream& stream,
+                    const Scratch& scratch) const {
     const Range range = runs(recorder.context(), stream.count);
     const char* program = "reduce_chunk";
     const cl_uint has_input_count = stream.input_count != nullptr;
     const cl_mem counts = scratch["reduce counts"];
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_count"), range,
-                    stream.input, stream.flags, stream.input_count, has_input_count, stream.count,
-                    counts);
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_write"), range,
-                    stream.input, stream.flags, stream.input_count, has_input_count, stream.count,
-                    counts, stream.output, stream.output_count, stream.output_index);
+    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_count"),
+                    range, stream.input, stream.flags, stream.input_count, has_input_count,
+                    stream.count, counts);
+    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_write"),
+                    range, stream.input, stream.flags, stream.input_count, has_input_count,
+                    stream.count, counts, stream.output, stream.output_count,
+                    stream.output_index);
 }
 
 }  // namespace rsh

@@ -1,5 +1,5 @@
-// chunk.hpp - one run of elements per work-item (reduce_chunk.cl): count, then write. No barrier, no
-// local memory: safe on any driver, and quick where cores are few and caches large.
+// chunk.hpp - one run of elements per work-item (reduce_chunk.cl): count, then write. No
+// barrier, no local memory: safe on any driver, and quick where cores are few and caches large.
 #pragma once
 
 #include "reduce/strategy.hpp"

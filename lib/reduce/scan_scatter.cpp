@@ -27,15 +27,18 @@ void ScanScatter::enqueue(Recorder& recorder, const ReduceStream& stream,
     const cl_uint has_input_count = stream.input_count != nullptr;
     const cl_mem counts = scratch["reduce counts"];
     const cl::LocalSpaceArg sums = cl::Local(range.group_size * sizeof(cl_uint));
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_scan_scatter_count"), range,
-                    stream.input, stream.flags, stream.input_count, has_input_count, stream.count,
-                    counts, sums);
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_scan_scatter_scan"),
+    recorder.launch(RSH_STAGE_REDUCE,
+                    reduce_kernel(stream, program, "rsh_reduce_scan_scatter_count"), range,
+                    stream.input, stream.flags, stream.input_count, has_input_count,
+                    stream.count, counts, sums);
+    recorder.launch(RSH_STAGE_REDUCE,
+                    reduce_kernel(stream, program, "rsh_reduce_scan_scatter_scan"),
                     {range.group_size, range.group_size}, counts, groups, stream.output_count,
                     stream.output_index, sums);
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_scan_scatter_write"), range,
-                    stream.input, stream.flags, stream.input_count, has_input_count, stream.count,
-                    counts, stream.output, sums);
+    recorder.launch(RSH_STAGE_REDUCE,
+                    reduce_kernel(stream, program, "rsh_reduce_scan_scatter_write"), range,
+                    stream.input, stream.flags, stream.input_count, has_input_count,
+                    stream.count, counts, stream.output, sums);
 }
 
 }  // namespace rsh

@@ -1,5 +1,5 @@
-// scan_scatter.hpp - prefix sums in work-groups, then scatter (reduce_scan_scatter.cl). The usual
-// choice on devices with many small cores.
+// scan_scatter.hpp - prefix sums in work-groups, then scatter (reduce_scan_scatter.cl). The
+// usual choice on devices with many small cores.
 #pragma once
 
 #include "reduce/strategy.hpp"

@@ -1,6 +1,6 @@
-// strategy.hpp - stream reduction: packs the kept elements of a stream. A strategy is one way to do
-// it; nobody but list.cpp knows which ones there are. To add one: an enum value in rsh.h, a class
-// and its kernel file, a row in list.cpp; tests and --strategy pick it up.
+// strategy.hpp - stream reduction: packs the kept elements of a stream. A strategy is one way
+// to do it; nobody but list.cpp knows which ones there are. To add one: an enum value in rsh.h,
+// a class and its kernel file, a row in list.cpp; tests and --strategy pick it up.
 #pragma once
 
 #include <vector>
@@ -37,7 +37,8 @@ public:
 const std::vector<const Strategy*>& strategies();
 const Strategy& find_strategy(cl_uint id);  // throws; RSH_STRATEGY_DEFAULT: what suits
 
-// A strategy's kernel for the stream's elements. Pairs are reduced by the traversal's own program.
+// A strategy's kernel for the stream's elements. Pairs are reduced by the traversal's own
+// program.
 KernelName reduce_kernel(const ReduceStream& stream, const char* program, const char* kernel);
 
 // rsh_reduce

@@ -36,8 +36,8 @@ RenderSettings render_settings(const Options& options, const SceneSettings& scen
     return s;
 }
 
-// Evenly spaced from the start of the scene's time to its end, both included; a single one is the
-// scene's still.
+// Evenly spaced from the start of the scene's time to its end, both included; a single one is
+// the scene's still.
 std::vector<double> frame_times(const Options& options, const SceneSettings& scene,
                                 const World& world) {
     const Interval span = scene.time.value_or(world.time_span());

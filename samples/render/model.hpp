@@ -14,8 +14,8 @@
 
 namespace render {
 
-// An image in memory, rows from top to bottom, four channels. `format` is RSH_TEXEL_...: bytes are
-// sRGB, floats linear; exactly one of the two vectors is filled.
+// An image in memory, rows from top to bottom, four channels. `format` is RSH_TEXEL_...: bytes
+// are sRGB, floats linear; exactly one of the two vectors is filled.
 struct Image {
     uint32_t width = 0;
     uint32_t height = 0;

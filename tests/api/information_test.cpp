@@ -1,5 +1,5 @@
-// information_test.cpp - strings, names, versions, the device picker, and what rsh_find_features
-// derives from a scene.
+// information_test.cpp - strings, names, versions, the device picker, and what
+// rsh_find_features derives from a scene.
 #include <gtest/gtest.h>
 
 #include <climits>

@@ -1,5 +1,5 @@
-// misuse_test.cpp - a wrong argument gives the status that rsh.h names, a message with the field,
-// the actual and the required value, and enqueues nothing.
+// misuse_test.cpp - a wrong argument gives the status that rsh.h names, a message with the
+// field, the actual and the required value, and enqueues nothing.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,5 +1,5 @@
-// robustness_test.cpp - calls that other calls, threads, a release or a failure come in between of.
-// A gate is an event that the application sets: what waits for it is under way until then.
+// robustness_test.cpp - calls that other calls, threads, a release or a failure come in between
+// of. A gate is an event that the application sets: what waits for it is under way until then.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -51,7 +51,9 @@ private:
     const test::ValidCalls valid_;
 };
 
-cl::CommandQueue new_queue() { return {device().context, device().device}; }
+cl::CommandQueue new_queue() {
+    return {device().context, device().device};
+}
 
 // Polls: waiting for what never ends would hang the test.
 bool ends(const cl::CommandQueue& queue, const cl::Event& event) {
@@ -129,7 +131,8 @@ TEST(GetStatistics, MissesNothingThatIsEnqueuedMeanwhile) {
     EXPECT_EQ(all.batches, kRuns * one.batches);
     EXPECT_EQ(all.peak_pairs, one.peak_pairs);
     for (cl_uint level = 0; level <= traversal.levels.count; ++level)
-        EXPECT_EQ(all.pairs_tested[level], kRuns * one.pairs_tested[level]) << "level " << level;
+        EXPECT_EQ(all.pairs_tested[level], kRuns * one.pairs_tested[level])
+            << "level " << level;
 }
 
 TEST(GetStatistics, BlocksNoCallOfAnotherThread) {
@@ -196,7 +199,9 @@ TEST(Scratch, OfThePoolDoesNotGrowWithTheCallsUnderWay) {
     }
 }
 
-int cancel_second_batch(cl_uint batch, cl_uint, void*) { return batch == 1; }
+int cancel_second_batch(cl_uint batch, cl_uint, void*) {
+    return batch == 1;
+}
 
 // The first batch is enqueued and uses the caller's buffers.
 TEST(DoneEvent, EndsAfterTheCommandsOfACallThatWasCancelled) {

@@ -1,5 +1,6 @@
-// valid_calls.hpp - one valid descriptor per call over small shared buffers: a misuse test breaks
-// one field of it. Output buffers hold canaries, so that a call that enqueued anything shows.
+// valid_calls.hpp - one valid descriptor per call over small shared buffers: a misuse test
+// breaks one field of it. Output buffers hold canaries, so that a call that enqueued anything
+// shows.
 #pragma once
 
 #include "../support/render.hpp"

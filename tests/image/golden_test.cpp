@@ -1,8 +1,10 @@
-// golden_test.cpp - whole pictures against committed ones: the only tests that would notice when
-// everything agrees with everything and the picture is wrong all the same. Somebody looked at them.
+// golden_test.cpp - whole pictures against committed ones: the only tests that would notice
+// when everything agrees with everything and the picture is wrong all the same. Somebody looked
+// at them.
 //
-// RSH_UPDATE_GOLDEN=1 writes the golden pictures anew instead of comparing; look at each of them
-// before it is committed. On failure the picture and the difference are written beside the program.
+// RSH_UPDATE_GOLDEN=1 writes the golden pictures anew instead of comparing; look at each of
+// them before it is committed. On failure the picture and the difference are written beside the
+// program.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,8 +16,8 @@ namespace {
 
 constexpr uint32_t kSide = 128;
 
-// Another device may round otherwise, and a pixel at an edge then changes completely; nearly all
-// must agree within two of 255 steps.
+// Another device may round otherwise, and a pixel at an edge then changes completely; nearly
+// all must agree within two of 255 steps.
 constexpr int kStep = 2;
 constexpr size_t kWrongPixels = kSide * kSide / 200;
 constexpr double kRmse = 2.0;

@@ -197,11 +197,11 @@ std::string name_of(const ::testing::TestParamInfo<Param>& info) {
            std::to_string(std::get<2>(info.param));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Reduce,
-    ::testing::Combine(::testing::ValuesIn(strategies()),
-                       ::testing::Values(RSH_KEEP_FLAGS, RSH_KEEP_NOT_NULL),
-                       ::testing::Values(4u, 8u, 12u, 16u)),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(All, Reduce,
+                         ::testing::Combine(::testing::ValuesIn(strategies()),
+                                            ::testing::Values(RSH_KEEP_FLAGS,
+                                                              RSH_KEEP_NOT_NULL),
+                                            ::testing::Values(4u, 8u, 12u, 16u)),
+                         name_of);
 
 }  // namespace

@@ -1,4 +1,5 @@
-// scene_file_test.cpp - the scene file format: what it accepts, and what it says when it does not.
+// scene_file_test.cpp - the scene file format: what it accepts, and what it says when it does
+// not.
 #include "scene_file.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // scene_oracle.cpp - a real scene against brute force in double precision:
 //   rsh_scene_oracle SCENE... [--tests N]
 // Traces the camera's rays at 256x256 and their mirror reflections with the default engine and
-// lets the oracle judge them. N (default 2e10) bounds rays x triangles per wave: above it, rays are
-// left out evenly. Ends with 1 when a hit is wrong. Renders nothing.
+// lets the oracle judge them. N (default 2e10) bounds rays x triangles per wave: above it, rays
+// are left out evenly. Ends with 1 when a hit is wrong. Renders nothing.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -46,8 +46,8 @@ test::Rays camera_rays(const render::Camera& camera) {
     return rays;
 }
 
-// As if every surface were a flat mirror. Starting exactly on the surface is on purpose: what the
-// oracle calls ambiguous there is what a renderer has to live with.
+// As if every surface were a flat mirror. Starting exactly on the surface is on purpose: what
+// the oracle calls ambiguous there is what a renderer has to live with.
 test::Rays reflections(const test::Mesh& mesh, const test::Rays& rays,
                        const std::vector<rsh_hit>& hits) {
     test::Rays made = rays;

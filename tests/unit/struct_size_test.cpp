@@ -1,5 +1,5 @@
-// struct_size_test.cpp - a struct of an older header is read and written as far as it goes, shown
-// on one that has grown.
+// struct_size_test.cpp - a struct of an older header is read and written as far as it goes,
+// shown on one that has grown.
 #include <gtest/gtest.h>
 
 #include "../../lib/core/struct_size.hpp"
