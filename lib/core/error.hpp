@@ -27,7 +27,7 @@ void clear_last_error() noexcept;
 // Name of an OpenCL error code ("CL_OUT_OF_RESOURCES"); NULL for other numbers.
 const char* opencl_error_name(cl_int code) noexcept;
 
-// Runs `body` and turns what it throws into a status: the only try of the library.
+// Runs `body` and turns what it throws into a status: no exception crosses the C boundary.
 rsh_status guarded_call(void (*body)(void*), void* argument) noexcept;
 
 template <class Body>
