@@ -163,11 +163,11 @@ typedef struct rsh_statistics {
     cl_ulong programs_loaded;           /* taken from the disk cache                         */
     cl_ulong traversals;
     cl_ulong batches;                   /* runs of triangles that the traversals worked off  */
-    cl_ulong pairs_tested[RSH_MAX_LEVELS + 1]; /* (triangle, node) pairs at level l: input of
-                                                  the tests of its children; [0]: (triangle,
-                                                  ray) pairs intersected                     */
+    cl_ulong pairs_tested[RSH_MAX_LEVELS + 1]; /* (triangle, node) pairs that the streams of
+                                                  level l held; [0]: (triangle, ray) pairs   */
     cl_ulong pairs_walked[RSH_MAX_LEVELS + 1]; /* of these, finished depth first because the
-                                                  budget was full                            */
+                                                  budget was full; what came below them is
+                                                  counted nowhere                            */
     cl_ulong peak_pairs;                       /* longest stream that left a reduction       */
     cl_ulong active_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: rays per bounce; [0]: pixels with
                                                   a primary hit                              */
@@ -176,8 +176,8 @@ typedef struct rsh_statistics {
     cl_ulong scratch_bytes;                    /* in the context's pool                      */
 } rsh_statistics;
 
-/* Starts (enabled = 1) or stops counting on this context, from zero. Counting costs a few
- * percent; without it, no event is kept and no counter kernel runs. Does not wait: what was
+/* Starts (enabled = 1) or stops counting on this context, from zero. Counting keeps
+ * the event of every command and reads counts back; without it, neither happens. Does not wait: what was
  * enqueued before is not counted. */
 RSH_API rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled);
 
