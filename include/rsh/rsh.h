@@ -176,8 +176,8 @@ typedef struct rsh_statistics {
     cl_ulong scratch_bytes;                    /* in the context's pool                      */
 } rsh_statistics;
 
-/* Starts (enabled = 1) or stops counting on this context, from zero. Counting keeps the event of
- * every command and reads counts back; without it, neither happens. Does not wait: what was
+/* Starts (enabled = 1) or stops counting on this context, from zero. Counting keeps the event
+ * of every command and reads counts back; without it, neither happens. Does not wait: what was
  * enqueued before is not counted. */
 RSH_API rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled);
 
