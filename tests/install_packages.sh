@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # install_packages.sh - installs what is missing on Debian 12 to build and run rsh:
-#   install_packages.sh library|samples|tests
-# Each set contains the ones before it. Does nothing, and needs no root, when nothing is missing.
+#   install_packages.sh library|samples|tests|bench
+# Each set contains `library`; tests and bench also `samples`. Does nothing, and needs no root, when
+# nothing is missing.
 set -euo pipefail
 
 library=(build-essential cmake ninja-build pkg-config ca-certificates
@@ -9,13 +10,16 @@ library=(build-essential cmake ninja-build pkg-config ca-certificates
 samples=("${library[@]}" libopenmesh-dev libopenimageio-dev libglm-dev libcli11-dev
     libfmt-dev libarchive-dev nlohmann-json3-dev)
 tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind)
+bench=("${samples[@]}" libbenchmark-dev libboost-dev libtbb-dev
+    python3-pyopencl python3-numpy python3-matplotlib)
 
 case "${1:-}" in
     library) packages=("${library[@]}") ;;
     samples) packages=("${samples[@]}") ;;
     tests) packages=("${tests[@]}") ;;
+    bench) packages=("${bench[@]}") ;;
     *)
-        echo "usage: $0 library|samples|tests, found \"${1:-}\"" >&2
+        echo "usage: $0 library|samples|tests|bench, found \"${1:-}\"" >&2
         exit 2
         ;;
 esac

@@ -1,0 +1,44 @@
+// device.hpp - the device that is measured, opened by the library's own rules, and its
+// description. The one place where statuses become exceptions.
+#pragma once
+
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#include <rsh/rsh.h>
+
+#include <CL/opencl.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace bench {
+
+// Throws std::runtime_error with the call's name and rsh_last_error() unless it succeeded.
+void require(rsh_status status, const char* call);
+
+class Device {
+public:
+    // The device that rsh_find_device gives for `name`; empty: its default.
+    explicit Device(const std::string& name);
+
+    const cl::Context& context() const { return context_; }
+    const cl::Device& device() const { return device_; }
+    const cl::CommandQueue& queue() const { return queue_; }  // in order, with profiling
+    rsh_context rsh() const { return rsh_.get(); }
+    nlohmann::json description() const;
+
+private:
+    struct Release {
+        void operator()(rsh_context context) const { rsh_release_context(context); }
+    };
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    std::unique_ptr<rsh_context_s, Release> rsh_;
+};
+
+// Version and commit of the library that is measured.
+nlohmann::json describe_library();
+
+}  // namespace bench
