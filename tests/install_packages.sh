@@ -10,7 +10,7 @@ library=(build-essential cmake ninja-build pkg-config ca-certificates
 samples=("${library[@]}" libopenmesh-dev libopenimageio-dev libglm-dev libcli11-dev
     libfmt-dev libarchive-dev nlohmann-json3-dev)
 tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind)
-bench=("${samples[@]}" libbenchmark-dev libboost-dev libtbb-dev
+bench=("${samples[@]}" libbenchmark-dev libboost-dev libembree-dev libtbb-dev
     python3-pyopencl python3-numpy python3-matplotlib)
 
 case "${1:-}" in

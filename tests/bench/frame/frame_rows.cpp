@@ -1,0 +1,107 @@
+// frame_rows.cpp - what is measured, row by row.
+#include "frame/frame_rows.hpp"
+
+#include <fmt/format.h>
+
+namespace bench {
+namespace {
+
+struct RoomSize {
+    int64_t triangles;
+    const char* name;
+};
+constexpr RoomSize kRooms[] = {{10000, "10k"},   {20000, "20k"},   {80000, "80k"},
+                               {300000, "300k"}, {700000, "700k"}, {2300000, "2300k"}};
+
+struct SetupKinds {
+    Setup setup;
+    const char* name;
+    std::vector<RayKind> kinds;
+};
+
+const std::vector<SetupKinds>& setups() {
+    using K = RayKind;
+    static const std::vector<SetupKinds> all = {
+        {Setup::kSphere, "sphere", {K::kReflection, K::kShadow, K::kDiffuse}},
+        {Setup::kFloor, "floor", {K::kReflection, K::kShadow, K::kDiffuse}},
+        {Setup::kFloor45, "floor45", {K::kReflection, K::kShadow}},
+        {Setup::kSeveral, "several", {K::kReflection, K::kSecond}},
+        {Setup::kGlass, "glass", {K::kRefraction, K::kSecond}}};
+    return all;
+}
+
+bool is_quick(Setup setup, int64_t triangles, Size size, RayKind kind) {
+    if (size.width != 512) return false;
+    if (triangles == 80000)
+        return setup == Setup::kSphere ||
+               (setup == Setup::kGlass && kind == RayKind::kRefraction);
+    if (triangles == 700000) return setup == Setup::kFloor && kind != RayKind::kDiffuse;
+    return triangles == 20000 && setup == Setup::kFloor45 && kind == RayKind::kReflection;
+}
+
+void add_room(std::vector<FrameRow>& rows, const SetupKinds& setup, const RoomSize& room) {
+    const SceneSpec scene = {fmt::format("room-{}-{}", setup.name, room.name), setup.setup,
+                             room.triangles, "", false};
+    for (const cl_uint side : {512u, 1024u})
+        for (const RayKind kind : setup.kinds) {
+            const Size size{side, side};
+            rows.push_back(
+                {scene, size, kind, is_quick(setup.setup, room.triangles, size, kind)});
+        }
+    // The series over the number of pixels.
+    if (setup.setup == Setup::kFloor && room.triangles == 80000)
+        for (const cl_uint side : {128u, 256u, 2048u})
+            rows.push_back({scene, {side, side}, RayKind::kReflection, false});
+}
+
+void add_file(std::vector<FrameRow>& rows, const char* name, bool is_rigid,
+              const std::vector<RayKind>& kinds) {
+    const SceneSpec scene = {name, Setup::kFile, 0,
+                             std::string(RSH_SCENE_FILES "/") + name + ".json", is_rigid};
+    for (const cl_uint side : {512u, 1024u})
+        for (const RayKind kind : kinds) rows.push_back({scene, {side, side}, kind, false});
+}
+
+}  // namespace
+
+std::string FrameRow::name() const {
+    return fmt::format("frame/scene:{}/size:{}x{}/rays:{}", scene.name, size.width, size.height,
+                       name_of(rays));
+}
+
+std::vector<FrameRow> frame_rows() {
+    using K = RayKind;
+    std::vector<FrameRow> rows;
+    for (const RoomSize& room : kRooms)
+        for (const SetupKinds& setup : setups()) add_room(rows, setup, room);
+    add_file(rows, "conference", false, {K::kReflection, K::kShadow, K::kDiffuse});
+    add_file(rows, "kitchen", false,
+             {K::kReflection, K::kRefraction, K::kShadow, K::kSecond, K::kDiffuse});
+    add_file(rows, "museum5", false, {K::kReflection, K::kShadow, K::kSecond, K::kDiffuse});
+    add_file(rows, "fox_run", false, {K::kReflection, K::kShadow});
+    add_file(rows, "dragon_871k", true, {K::kReflection, K::kShadow, K::kDiffuse});
+    add_file(rows, "large", true, {K::kReflection, K::kShadow});
+    return rows;
+}
+
+std::vector<Column> frame_columns() {
+    std::vector<Column> columns;
+    for (cl_uint engine = 1; rsh_engine_name(engine); ++engine)
+        if (engine != RSH_ENGINE_BRUTE_FORCE)
+            columns.push_back({engine, rsh_engine_name(engine), "cone"});
+    return columns;
+}
+
+// A breadth-first stream of pairs of incoherent rays takes minutes per frame.
+bool is_measured(const FrameRow& row, const Column& column) {
+    const bool is_stream = column.engine_name.rfind("paper", 0) == 0;
+    return !is_stream || row.rays != RayKind::kDiffuse ||
+           (row.size.width <= 512 && row.scene.triangles > 0 && row.scene.triangles <= 20000);
+}
+
+std::string case_name(const FrameRow& row, const Column& column) {
+    return fmt::format("{}/engine:{}/bound:{}", row.name(), column.engine_name,
+                       column.bound_name);
+}
+
+}  // namespace bench

@@ -1,0 +1,56 @@
+// frame_scene.hpp - the scenes of rsh-bench frame: a closed room of any number of triangles with
+// one kind of reflector, or a scene file; and the same with every vertex moved to a moment.
+// Knows no device.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model.hpp"
+
+namespace bench {
+
+enum class Setup { kSphere, kFloor, kFloor45, kSeveral, kGlass, kFile };
+
+struct SceneSpec {
+    std::string name;  // "room-sphere-80k", "kitchen"
+    Setup setup = Setup::kSphere;
+    int64_t triangles = 0;  // of a room
+    std::string file;       // of Setup::kFile
+    bool is_rigid = false;  // moved as a whole: meshes whose makers ask not to deform them
+};
+
+class FrameScene {
+public:
+    // Reads files; throws std::runtime_error when one is missing.
+    explicit FrameScene(const SceneSpec& spec);
+
+    const render::Mesh& mesh() const { return mesh_; }  // at rest
+    const std::vector<rsh_material>& materials() const { return materials_; }
+    const std::vector<render::Light>& lights() const { return lights_; }
+    const render::Camera& camera() const { return camera_; }
+
+    // Writes all vertices at `time`; every one moves with it, smoothly in place and time.
+    void move(double time, std::vector<glm::vec3>& positions) const;
+
+    // What reflects little and refracts most: its second bounce is a refraction as well.
+    bool is_glass() const { return is_glass_; }
+
+    // Index of the first light whose shadow rays run towards a point; -1: there is none.
+    int point_light() const;
+
+private:
+    void make_motion(bool is_rigid);
+
+    render::Mesh mesh_;
+    std::vector<rsh_material> materials_;
+    std::vector<render::Light> lights_;
+    render::Camera camera_;
+    bool is_glass_;
+    std::vector<glm::vec3> sway_;  // per vertex: where it goes from its place of rest
+};
+
+}  // namespace bench

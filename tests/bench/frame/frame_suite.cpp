@@ -1,0 +1,108 @@
+// frame_suite.cpp - chooses rows and columns, reads each scene once, prints a line per case.
+#include "frame/frame_suite.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <regex>
+
+#include "frame/frame_measure.hpp"
+#include "progress.hpp"
+
+namespace bench {
+namespace {
+
+struct Selected {
+    FrameRow row;
+    std::vector<Column> columns;
+};
+
+std::vector<Selected> select(const std::string& filter, bool quick) {
+    const std::regex wanted(filter.empty() ? "." : filter);
+    const std::vector<Column> columns = frame_columns();
+    std::vector<Selected> selected;
+    for (const FrameRow& row : frame_rows()) {
+        if (quick && !row.is_quick) continue;
+        Selected one = {row, {}};
+        for (const Column& column : columns)
+            if (is_measured(row, column) && std::regex_search(case_name(row, column), wanted))
+                one.columns.push_back(column);
+        if (!one.columns.empty()) selected.push_back(one);
+    }
+    return selected;
+}
+
+void print(const Case& c) {
+    const nlohmann::json& m = c.metrics;
+    fmt::print(
+        "{}\n    {:.2f} ms (bound {:.2f}, build {:.2f}, traverse {:.2f}); Embree {} "
+        "{:.2f} + {:.2f}, refit {:.2f} + {:.2f}; ratio {:.2f}, refit {:.2f}; "
+        "{:.0f} tests/ray, {} mismatches\n",
+        c.name, m["ms_total"].get<double>(), m["ms_bound"].get<double>(),
+        m["ms_build"].get<double>(), m["ms_traverse"].get<double>(),
+        m["embree_build"].get<std::string>(), m["embree_build_ms"].get<double>(),
+        m["embree_trace_ms"].get<double>(), m["embree_refit_ms"].get<double>(),
+        m["embree_refit_trace_ms"].get<double>(), m["ratio_embree"].get<double>(),
+        m["ratio_embree_refit"].get<double>(), m["tests_per_ray"].get<double>(),
+        m["mismatches"].get<size_t>());
+    std::fflush(stdout);
+}
+
+// The scene that was read last: rows of one scene stand together.
+class SceneShelf {
+public:
+    explicit SceneShelf(const Device& device) : device_(device) {}
+
+    // Null, after a word about it, when files are missing.
+    SceneOnDevice* get(const SceneSpec& spec) {
+        if (spec.name == name_) return on_device_.get();
+        name_ = spec.name;
+        on_device_.reset();
+        try {
+            scene_ = std::make_unique<FrameScene>(spec);
+            on_device_ = std::make_unique<SceneOnDevice>(device_, *scene_);
+        } catch (const std::runtime_error& error) {
+            fmt::print(stderr, "left out: scene {}: {}\n", spec.name, error.what());
+        }
+        return on_device_.get();
+    }
+
+private:
+    const Device& device_;
+    std::string name_;
+    std::unique_ptr<FrameScene> scene_;
+    std::unique_ptr<SceneOnDevice> on_device_;
+};
+
+}  // namespace
+
+void FrameSuite::add_options(CLI::App& app) {
+    app.add_option("--filter", filter_, "Only cases whose name has a match of this expression");
+    app.add_flag("--list", lists_, "Print the names of the cases instead of running them");
+}
+
+std::vector<Case> FrameSuite::run(const Run& run) {
+    const std::vector<Selected> selected = select(filter_, run.quick);
+    const RowSettings settings = {run.quick ? 0.7 : 3.0, run.quick ? size_t{3} : size_t{5}};
+    std::vector<Case> cases;
+    SceneShelf shelf(run.device);
+    ProgressBar progress(selected.size());
+    for (const Selected& one : selected) {
+        if (lists_) {
+            for (const Column& column : one.columns)
+                fmt::print("{}\n", case_name(one.row, column));
+            continue;
+        }
+        progress.begin(one.row.name());
+        SceneOnDevice* scene = shelf.get(one.row.scene);
+        if (!scene) continue;
+        for (const Case& c : measure_row(run.device, *scene, one.row, one.columns, settings)) {
+            print(c);
+            cases.push_back(c);
+        }
+    }
+    return cases;
+}
+
+}  // namespace bench

@@ -1,0 +1,129 @@
+// ray_maker.cpp - rasterize, spawn, and for second bounces traverse and spawn again.
+#include "frame/ray_maker.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "device_structs.hpp"
+#include "frame/diffuse.hpp"
+#include "ray_sample.hpp"
+
+namespace bench {
+
+bool is_active(const rsh_ray& ray) {
+    return render::is_active(ray);
+}
+
+const char* name_of(RayKind kind) {
+    constexpr const char* kNames[] = {"reflection", "refraction", "shadow", "second",
+                                      "diffuse"};
+    return kNames[static_cast<int>(kind)];
+}
+
+namespace {
+
+cl_uint first_spawn(const SceneOnDevice& scene, RayKind kind) {
+    if (kind == RayKind::kShadow) return RSH_SPAWN_SHADOW;
+    if (kind == RayKind::kRefraction) return RSH_SPAWN_REFRACTION;
+    return kind == RayKind::kSecond && scene.frame_scene().is_glass() ? RSH_SPAWN_REFRACTION
+                                                                      : RSH_SPAWN_REFLECTION;
+}
+
+}  // namespace
+
+RayMaker::RayMaker(const Device& device, Size size)
+    : device_(device),
+      size_(size),
+      rays_(device.context(), CL_MEM_READ_WRITE, size.pixels() * sizeof(rsh_ray)),
+      hits_(device.context(), CL_MEM_READ_WRITE, size.pixels() * sizeof(rsh_hit)),
+      spawned_(device.context(), CL_MEM_READ_WRITE, size.pixels() * sizeof(rsh_ray)),
+      weights_(device.context(), CL_MEM_READ_WRITE, size.pixels() * sizeof(cl_float4)),
+      host_(size.pixels()) {}
+
+void RayMaker::see(const SceneOnDevice& scene) {
+    rsh_rasterize_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.geometry = scene.geometry();
+    desc.camera =
+        device_camera(scene.frame_scene().camera(), float(size_.width) / float(size_.height));
+    desc.width = size_.width;
+    desc.height = size_.height;
+    desc.rays = rays_();
+    desc.hits = hits_();
+    require(rsh_rasterize(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+            "rsh_rasterize");
+}
+
+// Leaves the spawned rays in rays_.
+void RayMaker::spawn(const SceneOnDevice& scene, cl_uint kind) {
+    rsh_spawn_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.scene = &scene.scene();
+    desc.kind = kind;
+    desc.light =
+        kind == RSH_SPAWN_SHADOW ? static_cast<cl_uint>(scene.frame_scene().point_light()) : 0;
+    desc.ray_count = static_cast<cl_uint>(size_.pixels());
+    desc.rays = rays_();
+    desc.hits = hits_();
+    desc.spawned_rays = spawned_();
+    desc.spawned_weights = weights_();
+    require(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+            "rsh_spawn");
+    std::swap(rays_, spawned_);
+}
+
+// Closest hits of rays_ into hits_, with the default engine.
+void RayMaker::trace(const SceneOnDevice& scene) {
+    rsh_build_desc build{};
+    build.struct_size = sizeof build;
+    build.rays = rays_();
+    build.width = size_.width;
+    build.height = size_.height;
+    rsh_sizes sizes{};
+    sizes.struct_size = sizeof sizes;
+    require(rsh_build_query(device_.rsh(), &build, &sizes, nullptr), "rsh_build_query");
+    const cl::Buffer nodes(device_.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
+    build.nodes = nodes();
+    require(rsh_build(device_.rsh(), device_.queue()(), &build, 0, nullptr, nullptr),
+            "rsh_build");
+    rsh_traverse_desc traverse{};
+    traverse.struct_size = sizeof traverse;
+    traverse.geometry = scene.geometry();
+    traverse.rays = rays_();
+    traverse.nodes = nodes();
+    traverse.width = size_.width;
+    traverse.height = size_.height;
+    traverse.hits = hits_();
+    require(rsh_traverse(device_.rsh(), device_.queue()(), &traverse, 0, nullptr, nullptr),
+            "rsh_traverse");
+    device_.queue().finish();
+}
+
+void RayMaker::scatter(const SceneOnDevice& scene) {
+    std::vector<rsh_hit> hits(size_.pixels());
+    device_.queue().enqueueReadBuffer(hits_, CL_TRUE, 0, hits.size() * sizeof(rsh_hit),
+                                      hits.data());
+    device_.queue().enqueueReadBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
+                                      host_.data());
+    make_diffuse(scene.positions(), scene.frame_scene().mesh().triangles, hits, host_);
+    device_.queue().enqueueWriteBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
+                                       host_.data());
+}
+
+void RayMaker::make(const SceneOnDevice& scene, RayKind kind) {
+    see(scene);
+    if (kind == RayKind::kDiffuse) return scatter(scene);
+    spawn(scene, first_spawn(scene, kind));
+    if (kind == RayKind::kSecond) {
+        trace(scene);
+        spawn(scene, first_spawn(scene, kind));
+    }
+    device_.queue().enqueueReadBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
+                                      host_.data());
+}
+
+size_t RayMaker::active_count() const {
+    return static_cast<size_t>(std::count_if(host_.begin(), host_.end(), is_active));
+}
+
+}  // namespace bench

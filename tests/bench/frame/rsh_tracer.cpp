@@ -1,0 +1,112 @@
+// rsh_tracer.cpp - descriptors, buffers, and the frame with its stages.
+#include "frame/rsh_tracer.hpp"
+
+#include <algorithm>
+
+#include "timing.hpp"
+
+namespace bench {
+namespace {
+
+rsh_sizes empty_sizes() {
+    rsh_sizes sizes{};
+    sizes.struct_size = sizeof sizes;
+    return sizes;
+}
+
+double end_ms(const cl::Event& event) {
+    return 1e-6 * double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>());
+}
+
+}  // namespace
+
+RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size size,
+                     bool is_shadow, const Column& column)
+    : device_(device), size_(size), is_shadow_(is_shadow) {
+    bound_.struct_size = sizeof bound_;
+    bound_.geometry = geometry;
+    build_.struct_size = sizeof build_;
+    build_.width = size.width;
+    build_.height = size.height;
+    build_.converging = is_shadow;
+    traverse_.struct_size = sizeof traverse_;
+    traverse_.geometry = geometry;
+    traverse_.width = size.width;
+    traverse_.height = size.height;
+    traverse_.query = is_shadow ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST;
+    traverse_.engine = column.engine;
+    make_buffers();
+}
+
+cl::Buffer RshTracer::own(size_t bytes) {
+    bytes_ += bytes;
+    return cl::Buffer(device_.context(), CL_MEM_READ_WRITE, std::max<size_t>(bytes, 1));
+}
+
+// The calls run one after the other, so that one scratch buffer serves all.
+void RshTracer::make_buffers() {
+    rsh_sizes bound = empty_sizes(), build = empty_sizes(), traverse = empty_sizes();
+    require(rsh_bound_query(device_.rsh(), &bound_, &bound), "rsh_bound_query");
+    require(rsh_build_query(device_.rsh(), &build_, &build, nullptr), "rsh_build_query");
+    bounds_ = own(bound.output_bytes);
+    nodes_ = own(build.output_bytes);
+    bound_.spheres = traverse_.spheres = bounds_();
+    build_.nodes = traverse_.nodes = nodes_();
+    require(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
+    scratch_ =
+        own(std::max({bound.scratch_bytes, build.scratch_bytes, traverse.scratch_bytes}));
+    traverse_.scratch = scratch_();
+    answers_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE,
+                          size_.pixels() * (is_shadow_ ? sizeof(cl_uint) : sizeof(rsh_hit)));
+    (is_shadow_ ? traverse_.occlusion : traverse_.hits) = answers_();
+}
+
+FrameTimes RshTracer::trace(const cl::Buffer& rays) {
+    build_.rays = traverse_.rays = rays();
+    cl::Event bound, build, traverse;
+    const cl_command_queue queue = device_.queue()();
+    FrameTimes times;
+    times.total = milliseconds([&] {
+        if (is_shadow_)
+            device_.queue().enqueueFillBuffer(answers_, cl_uint{0}, 0,
+                                              size_.pixels() * sizeof(cl_uint));
+        require(rsh_bound(device_.rsh(), queue, &bound_, 0, nullptr, &bound()), "rsh_bound");
+        require(rsh_build(device_.rsh(), queue, &build_, 0, nullptr, &build()), "rsh_build");
+        require(rsh_traverse(device_.rsh(), queue, &traverse_, 0, nullptr, &traverse()),
+                "rsh_traverse");
+        device_.queue().finish();
+    });
+    times.build = end_ms(build) - end_ms(bound);
+    times.traverse = end_ms(traverse) - end_ms(build);
+    times.bound = times.total - times.build - times.traverse;
+    return times;
+}
+
+FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {
+    require(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
+    trace(rays);
+    rsh_statistics statistics{};
+    statistics.struct_size = sizeof statistics;
+    require(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
+    require(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
+    double tests = 0;
+    for (const cl_ulong pairs : statistics.pairs_tested) tests += double(pairs);
+    return {tests / double(std::max<size_t>(active_rays, 1)), statistics.peak_pairs,
+            statistics.launches};
+}
+
+std::vector<rsh_hit> RshTracer::hits() const {
+    std::vector<rsh_hit> hits(size_.pixels());
+    device_.queue().enqueueReadBuffer(answers_, CL_TRUE, 0, hits.size() * sizeof(rsh_hit),
+                                      hits.data());
+    return hits;
+}
+
+std::vector<cl_uint> RshTracer::occlusion() const {
+    std::vector<cl_uint> masks(size_.pixels());
+    device_.queue().enqueueReadBuffer(answers_, CL_TRUE, 0, masks.size() * sizeof(cl_uint),
+                                      masks.data());
+    return masks;
+}
+
+}  // namespace bench

@@ -1,0 +1,54 @@
+// rsh_tracer.hpp - one frame of rsh over given rays: clear (occlusion only), rsh_bound,
+// rsh_build and rsh_traverse on one in-order queue, with buffers of its own that are made once.
+// Makes no rays and checks no answer.
+#pragma once
+
+#include "frame/ray_maker.hpp"
+
+namespace bench {
+
+// A column of the tables: how rsh traverses.
+struct Column {
+    cl_uint engine = RSH_ENGINE_DEFAULT;
+    std::string engine_name, bound_name;
+};
+
+struct FrameTimes {
+    double total = 0, bound = 0, build = 0, traverse = 0;  // ms; the sum of the last three is
+                                                           // total, the first of them with the
+                                                           // time until the device starts
+};
+
+struct FrameWork {
+    double tests_per_ray = 0;
+    cl_ulong peak_pairs = 0, launches = 0;
+};
+
+class RshTracer {
+public:
+    // `rays` are shadow rays of a point light, traced for occlusion, or any, traced for hits.
+    RshTracer(const Device& device, const rsh_geometry& geometry, Size size, bool is_shadow,
+              const Column& column);
+
+    FrameTimes trace(const cl::Buffer& rays);  // BLOCKS
+    FrameWork count(const cl::Buffer& rays, size_t active_rays);
+
+    std::vector<rsh_hit> hits() const;       // of the last frame, unless is_shadow
+    std::vector<cl_uint> occlusion() const;  // of the last frame, if is_shadow
+    size_t bytes() const { return bytes_; }  // all that a frame needs but rays, hits, geometry
+
+private:
+    void make_buffers();
+    cl::Buffer own(size_t bytes);
+
+    const Device& device_;
+    Size size_;
+    bool is_shadow_;
+    size_t bytes_ = 0;
+    rsh_bound_desc bound_{};
+    rsh_build_desc build_{};
+    rsh_traverse_desc traverse_{};
+    cl::Buffer bounds_, nodes_, scratch_, answers_;
+};
+
+}  // namespace bench
