@@ -13,50 +13,51 @@ struct RoomSize {
 constexpr RoomSize kRooms[] = {{10000, "10k"},   {20000, "20k"},   {80000, "80k"},
                                {300000, "300k"}, {700000, "700k"}, {2300000, "2300k"}};
 
-struct SetupKinds {
-    Setup setup;
+struct ReflectorKinds {
+    Reflector reflector;
     const char* name;
     std::vector<RayKind> kinds;
 };
 
-const std::vector<SetupKinds>& setups() {
+const std::vector<ReflectorKinds>& reflectors() {
     using K = RayKind;
-    static const std::vector<SetupKinds> all = {
-        {Setup::kSphere, "sphere", {K::kReflection, K::kShadow, K::kDiffuse}},
-        {Setup::kFloor, "floor", {K::kReflection, K::kShadow, K::kDiffuse}},
-        {Setup::kFloor45, "floor45", {K::kReflection, K::kShadow}},
-        {Setup::kSeveral, "several", {K::kReflection, K::kSecond}},
-        {Setup::kGlass, "glass", {K::kRefraction, K::kSecond}}};
+    static const std::vector<ReflectorKinds> all = {
+        {Reflector::kSphere, "sphere", {K::kReflection, K::kShadow, K::kDiffuse}},
+        {Reflector::kFloor, "floor", {K::kReflection, K::kShadow, K::kDiffuse}},
+        {Reflector::kFloor45, "floor45", {K::kReflection, K::kShadow}},
+        {Reflector::kSeveral, "several", {K::kReflection, K::kSecond}},
+        {Reflector::kGlass, "glass", {K::kRefraction, K::kSecond}}};
     return all;
 }
 
-bool is_quick(Setup setup, int64_t triangles, Size size, RayKind kind) {
+bool is_quick(Reflector reflector, int64_t triangles, Size size, RayKind kind) {
     if (size.width != 512) return false;
     if (triangles == 80000)
-        return setup == Setup::kSphere ||
-               (setup == Setup::kGlass && kind == RayKind::kRefraction);
-    if (triangles == 700000) return setup == Setup::kFloor && kind != RayKind::kDiffuse;
-    return triangles == 20000 && setup == Setup::kFloor45 && kind == RayKind::kReflection;
+        return reflector == Reflector::kSphere ||
+               (reflector == Reflector::kGlass && kind == RayKind::kRefraction);
+    if (triangles == 700000) return reflector == Reflector::kFloor && kind != RayKind::kDiffuse;
+    return triangles == 20000 && reflector == Reflector::kFloor45 &&
+           kind == RayKind::kReflection;
 }
 
-void add_room(std::vector<FrameRow>& rows, const SetupKinds& setup, const RoomSize& room) {
-    const SceneSpec scene = {fmt::format("room-{}-{}", setup.name, room.name), setup.setup,
+void add_room(std::vector<FrameRow>& rows, const ReflectorKinds& one, const RoomSize& room) {
+    const SceneSpec scene = {fmt::format("room-{}-{}", one.name, room.name), one.reflector,
                              room.triangles, "", false};
     for (const cl_uint side : {512u, 1024u})
-        for (const RayKind kind : setup.kinds) {
+        for (const RayKind kind : one.kinds) {
             const Size size{side, side};
             rows.push_back(
-                {scene, size, kind, is_quick(setup.setup, room.triangles, size, kind)});
+                {scene, size, kind, is_quick(one.reflector, room.triangles, size, kind)});
         }
     // The series over the number of pixels.
-    if (setup.setup == Setup::kFloor && room.triangles == 80000)
+    if (one.reflector == Reflector::kFloor && room.triangles == 80000)
         for (const cl_uint side : {128u, 256u, 2048u})
             rows.push_back({scene, {side, side}, RayKind::kReflection, false});
 }
 
 void add_file(std::vector<FrameRow>& rows, const char* name, bool is_rigid,
               const std::vector<RayKind>& kinds) {
-    const SceneSpec scene = {name, Setup::kFile, 0,
+    const SceneSpec scene = {name, Reflector::kFile, 0,
                              std::string(RSH_SCENE_FILES "/") + name + ".json", is_rigid};
     for (const cl_uint side : {512u, 1024u})
         for (const RayKind kind : kinds) rows.push_back({scene, {side, side}, kind, false});
@@ -73,7 +74,7 @@ std::vector<FrameRow> frame_rows() {
     using K = RayKind;
     std::vector<FrameRow> rows;
     for (const RoomSize& room : kRooms)
-        for (const SetupKinds& setup : setups()) add_room(rows, setup, room);
+        for (const ReflectorKinds& one : reflectors()) add_room(rows, one, room);
     add_file(rows, "conference", false, {K::kReflection, K::kShadow, K::kDiffuse});
     add_file(rows, "kitchen", false,
              {K::kReflection, K::kRefraction, K::kShadow, K::kSecond, K::kDiffuse});

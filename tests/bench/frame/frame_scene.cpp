@@ -26,22 +26,23 @@ render::SceneDescription room_description(const SceneSpec& spec) {
     render::MeshEntry room;
     room.where = spec.name;
     room.room.triangles = spec.triangles;
-    const bool several = spec.setup == Setup::kSeveral;
-    const bool floor = spec.setup == Setup::kFloor || spec.setup == Setup::kFloor45;
-    room.room.mirror_sphere = spec.setup == Setup::kSphere || several;
+    const bool several = spec.reflector == Reflector::kSeveral;
+    const bool floor =
+        spec.reflector == Reflector::kFloor || spec.reflector == Reflector::kFloor45;
+    room.room.mirror_sphere = spec.reflector == Reflector::kSphere || several;
     room.room.mirror_floor = floor || several;
-    room.room.glass = spec.setup == Setup::kGlass || several;
+    room.room.glass = spec.reflector == Reflector::kGlass || several;
     if (several)
         for (const char* glaze : {"red glaze", "blue glaze", "ochre glaze", "green glaze"})
             room.materials[glaze].reflection = glm::vec3(0.3f);
-    if (spec.setup == Setup::kFloor45)
+    if (spec.reflector == Reflector::kFloor45)
         room.transform =
             glm::rotate(glm::mat4(1.0f), glm::radians(45.0f), glm::vec3(0.6f, 0.0f, 0.8f));
     render::SceneDescription scene;
     scene.meshes.push_back(room);
-    if (spec.setup == Setup::kSphere)
+    if (spec.reflector == Reflector::kSphere)
         scene.camera = close_up({-1.75f, 1.1f, -1.3f}, {0.42f, 0.12f, 0.9f}, 3.3f);
-    if (spec.setup == Setup::kGlass)
+    if (spec.reflector == Reflector::kGlass)
         scene.camera = close_up({1.15f, 0.84f, 0.7f}, {-0.35f, 0.15f, 0.92f}, 1.4f);
     return scene;
 }
@@ -61,9 +62,10 @@ Box box_of(const std::vector<glm::vec3>& positions) {
 
 }  // namespace
 
-FrameScene::FrameScene(const SceneSpec& spec) : is_glass_(spec.setup == Setup::kGlass) {
-    const render::World world(spec.setup == Setup::kFile ? render::read_scenes({spec.file})
-                                                         : room_description(spec));
+FrameScene::FrameScene(const SceneSpec& spec) : is_glass_(spec.reflector == Reflector::kGlass) {
+    const render::World world(spec.reflector == Reflector::kFile
+                                  ? render::read_scenes({spec.file})
+                                  : room_description(spec));
     mesh_ = world.mesh();
     mesh_.texcoords.clear();
     materials_ = world.materials();

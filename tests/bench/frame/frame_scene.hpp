@@ -13,13 +13,13 @@
 
 namespace bench {
 
-enum class Setup { kSphere, kFloor, kFloor45, kSeveral, kGlass, kFile };
+enum class Reflector { kSphere, kFloor, kFloor45, kSeveral, kGlass, kFile };
 
 struct SceneSpec {
     std::string name;  // "room-sphere-80k", "kitchen"
-    Setup setup = Setup::kSphere;
+    Reflector reflector = Reflector::kSphere;
     int64_t triangles = 0;  // of a room
-    std::string file;       // of Setup::kFile
+    std::string file;       // of Reflector::kFile
     bool is_rigid = false;  // moved as a whole: meshes whose makers ask not to deform them
 };
 

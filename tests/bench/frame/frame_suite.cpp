@@ -7,33 +7,60 @@
 #include <memory>
 #include <regex>
 
+#include "frame/build_rows.hpp"
 #include "frame/frame_measure.hpp"
+#include "frame/frame_summary.hpp"
 #include "progress.hpp"
 
 namespace bench {
 namespace {
 
+template <class Row>
 struct Selected {
-    FrameRow row;
+    Row row;
     std::vector<Column> columns;
 };
 
-std::vector<Selected> select(const std::string& filter, bool quick) {
-    const std::regex wanted(filter.empty() ? "." : filter);
-    const std::vector<Column> columns = frame_columns();
-    std::vector<Selected> selected;
-    for (const FrameRow& row : frame_rows()) {
-        if (quick && !row.is_quick) continue;
-        Selected one = {row, {}};
-        for (const Column& column : columns)
-            if (is_measured(row, column) && std::regex_search(case_name(row, column), wanted))
-                one.columns.push_back(column);
-        if (!one.columns.empty()) selected.push_back(one);
-    }
-    return selected;
+struct Selection {
+    std::vector<Selected<FrameRow>> frames;
+    std::vector<Selected<BuildRow>> builds;
+};
+
+template <class Row>
+void add(std::vector<Selected<Row>>& selected, const Row& row, const std::regex& wanted) {
+    Selected<Row> one = {row, {}};
+    for (const Column& column : frame_columns())
+        if (is_measured(row, column) && std::regex_search(case_name(row, column), wanted))
+            one.columns.push_back(column);
+    if (!one.columns.empty()) selected.push_back(one);
 }
 
-void print(const Case& c) {
+Selection select(const std::string& filter, bool quick) {
+    const std::regex wanted(filter.empty() ? "." : filter);
+    Selection selection;
+    for (const FrameRow& row : frame_rows())
+        if (row.is_quick || !quick) add(selection.frames, row, wanted);
+    for (const BuildRow& row : build_rows()) add(selection.builds, row, wanted);
+    return selection;
+}
+
+void list(const Selection& selection) {
+    const auto print_all = [](const auto& rows) {
+        for (const auto& [row, columns] : rows)
+            for (const Column& column : columns) fmt::print("{}\n", case_name(row, column));
+    };
+    print_all(selection.frames);
+    print_all(selection.builds);
+}
+
+void print_build(const Case& c) {
+    const nlohmann::json& m = c.metrics;
+    fmt::print("{}\n    build {:.2f} ms, copy {:.2f} ms: {:.2f} times; {} mismatches\n", c.name,
+               m["ms_build"].get<double>(), m["ms_copy"].get<double>(),
+               m["build_over_copy"].get<double>(), m["mismatches"].get<size_t>());
+}
+
+void print_frame(const Case& c) {
     const nlohmann::json& m = c.metrics;
     fmt::print(
         "{}\n    {:.2f} ms (bound {:.2f}, build {:.2f}, traverse {:.2f}); Embree {} "
@@ -83,25 +110,36 @@ void FrameSuite::add_options(CLI::App& app) {
 }
 
 std::vector<Case> FrameSuite::run(const Run& run) {
-    const std::vector<Selected> selected = select(filter_, run.quick);
+    const Selection selection = select(filter_, run.quick);
+    if (lists_) {
+        list(selection);
+        return {};
+    }
     const RowSettings settings = {run.quick ? 0.7 : 3.0, run.quick ? size_t{3} : size_t{5}};
     std::vector<Case> cases;
     SceneShelf shelf(run.device);
-    ProgressBar progress(selected.size());
-    for (const Selected& one : selected) {
-        if (lists_) {
-            for (const Column& column : one.columns)
-                fmt::print("{}\n", case_name(one.row, column));
-            continue;
-        }
-        progress.begin(one.row.name());
-        SceneOnDevice* scene = shelf.get(one.row.scene);
+    ProgressBar progress(selection.frames.size() + selection.builds.size());
+    for (const auto& [row, columns] : selection.frames) {
+        progress.begin(row.name());
+        SceneOnDevice* scene = shelf.get(row.scene);
         if (!scene) continue;
-        for (const Case& c : measure_row(run.device, *scene, one.row, one.columns, settings)) {
-            print(c);
+        for (const Case& c : measure_row(run.device, *scene, row, columns, settings)) {
+            print_frame(c);
             cases.push_back(c);
         }
     }
+    for (const auto& [row, columns] : selection.builds) {
+        progress.begin(row.name());
+        SceneOnDevice* scene = shelf.get(row.scene);
+        for (const Column& column : columns) {
+            cases.push_back(
+                measure_build(run.device, *scene, row, column, run.quick ? 21 : 51));
+            print_build(cases.back());
+        }
+    }
+    const std::vector<Case> summaries = summarize(cases);
+    for (const Case& summary : summaries) fmt::print("{}", as_text(summary));
+    cases.insert(cases.end(), summaries.begin(), summaries.end());
     return cases;
 }
 

@@ -15,8 +15,8 @@ bool is_active(const rsh_ray& ray) {
 }
 
 const char* name_of(RayKind kind) {
-    constexpr const char* kNames[] = {"reflection", "refraction", "shadow", "second",
-                                      "diffuse"};
+    constexpr const char* kNames[] = {"primary", "reflection", "refraction",
+                                      "shadow",  "second",     "diffuse"};
     return kNames[static_cast<int>(kind)];
 }
 
@@ -113,7 +113,7 @@ void RayMaker::scatter(const SceneOnDevice& scene) {
 void RayMaker::make(const SceneOnDevice& scene, RayKind kind) {
     see(scene);
     if (kind == RayKind::kDiffuse) return scatter(scene);
-    spawn(scene, first_spawn(scene, kind));
+    if (kind != RayKind::kPrimary) spawn(scene, first_spawn(scene, kind));
     if (kind == RayKind::kSecond) {
         trace(scene);
         spawn(scene, first_spawn(scene, kind));

@@ -6,7 +6,7 @@
 
 namespace bench {
 
-enum class RayKind { kReflection, kRefraction, kShadow, kSecond, kDiffuse };
+enum class RayKind { kPrimary, kReflection, kRefraction, kShadow, kSecond, kDiffuse };
 
 const char* name_of(RayKind kind);
 

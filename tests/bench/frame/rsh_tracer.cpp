@@ -82,6 +82,13 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
     return times;
 }
 
+void RshTracer::build(const cl::Buffer& rays) {
+    build_.rays = rays();
+    require(rsh_build(device_.rsh(), device_.queue()(), &build_, 0, nullptr, nullptr),
+            "rsh_build");
+    device_.queue().finish();
+}
+
 FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {
     require(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
     trace(rays);

@@ -31,6 +31,7 @@ public:
               const Column& column);
 
     FrameTimes trace(const cl::Buffer& rays);  // BLOCKS
+    void build(const cl::Buffer& rays);        // the hierarchy alone; BLOCKS
     FrameWork count(const cl::Buffer& rays, size_t active_rays);
 
     std::vector<rsh_hit> hits() const;       // of the last frame, unless is_shadow
