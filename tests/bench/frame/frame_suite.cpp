@@ -123,10 +123,11 @@ std::vector<Case> FrameSuite::run(const Run& run) {
         progress.begin(row.name());
         SceneOnDevice* scene = shelf.get(row.scene);
         if (!scene) continue;
-        for (const Case& c : measure_row(run.device, *scene, row, columns, settings)) {
-            print_frame(c);
-            cases.push_back(c);
-        }
+        const std::vector<Case> measured =
+            measure_row(run.device, *scene, row, columns, settings);
+        if (measured.empty()) fmt::print("{}: the scene has no such rays\n", row.name());
+        for (const Case& c : measured) print_frame(c);
+        cases.insert(cases.end(), measured.begin(), measured.end());
     }
     for (const auto& [row, columns] : selection.builds) {
         progress.begin(row.name());
