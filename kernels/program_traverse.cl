@@ -10,5 +10,5 @@
 #include "intersect.cl"
 #include "resolve.cl"
 #include "reduce_chunk.cl"
-#include "reduce_scan_scatter.cl"
+#include "reduce_lookback.cl"
 #include "clear_colour.cl"

@@ -4,48 +4,39 @@
  *   output        out  its kept elements, packed;  output_count[output_index]  out  how many
  * The fallback where local memory or barriers cannot be trusted.
  */
-#include "reduce_element.h"
+#include "reduce_run.h"
 
-typedef struct rsh_run {
-    uint begin, end;
-} rsh_run;
-
-static rsh_run run_of(uint item, uint items, uint length)
-{
-    const uint run = length / items + (length % items != 0);
-    const uint begin = (uint)min((ulong)run * item, (ulong)length);
-    return (rsh_run){begin, begin + min(run, length - begin)};
-}
-
-__kernel void rsh_reduce_chunk_count(__global const uint* input, __global const uchar* flags,
-                                     __global const uint* input_count, uint has_input_count,
-                                     uint count, __global uint* counts)
+__kernel void rsh_reduce_chunk_count(RSH_STREAM, __global uint* counts)
 {
     const uint me = get_global_id(0);
-    const rsh_run run =
-        run_of(me, get_global_size(0), stream_length(input_count, has_input_count, count));
-    uint kept = 0;
-    for (uint i = run.begin; i < run.end; ++i) kept += is_kept(input, flags, i);
-    counts[me] = kept;
+    counts[me] = count_run(input, flags, run_of(me, get_global_size(0), RSH_LENGTH));
 }
 
-/* Each element is stored where the next kept one belongs and overwritten unless it is kept: no
- * branch to mispredict. Stopping at `end` keeps the last store inside this work-item's part. */
-__kernel void rsh_reduce_chunk_write(__global const uint* input, __global const uchar* flags,
-                                     __global const uint* input_count, uint has_input_count,
-                                     uint count, __global const uint* counts,
+__kernel void rsh_reduce_chunk_write(RSH_STREAM, __global const uint* counts,
                                      __global uint* output, __global uint* output_count,
                                      uint output_index)
 {
-    const uint me = get_global_id(0);
-    const rsh_run run =
-        run_of(me, get_global_size(0), stream_length(input_count, has_input_count, count));
+    const uint me = get_global_id(0), items = get_global_size(0);
     uint at = 0;
     for (uint i = 0; i < me; ++i) at += counts[i];
-    const uint end = at + counts[me];
-    if (me == get_global_size(0) - 1) output_count[output_index] = end;
-    for (uint i = run.begin; i < run.end && at < end; ++i) {
-        store_element(load_element(i, input), at, output);
-        at += is_kept(input, flags, i);
+    if (me == items - 1) output_count[output_index] = at + counts[me];
+    pack_run(input, flags, run_of(me, items, RSH_LENGTH), counts[me], output, at);
+}
+
+/* Elements that are counted and then, still in the nearest cache, packed. */
+#define RSH_PIECE 2048u
+
+/* A short stream in one launch, by one work-item. */
+__kernel void rsh_reduce_chunk_alone(RSH_STREAM, __global uint* output,
+                                     __global uint* output_count, uint output_index)
+{
+    const uint length = RSH_LENGTH, pieces = tile_count(length, RSH_PIECE);
+    uint at = 0;
+    for (uint p = 0; p < pieces; ++p) {
+        const rsh_run piece = tile_run(p, RSH_PIECE, length);
+        const uint kept = count_run(input, flags, piece);
+        pack_run(input, flags, piece, kept, output, at);
+        at += kept;
     }
+    output_count[output_index] = at;
 }

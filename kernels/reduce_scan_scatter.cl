@@ -1,79 +1,40 @@
 /* reduce_scan_scatter.cl - stream reduction by prefix sums: count per work-group, scan the
- * counts, then each group scans its flags and scatters. Stable.
+ * counts (reduce_scan_counts.cl), then each group ranks its elements and scatters. Stable.
  *   input, flags  in   the stream
- *   counts        scratch, one per work-group, then their exclusive prefix sums
- *   output        out  its kept elements, packed;  output_count[output_index]  out  how many
- * Full work-groups only; every barrier is reached by all work-items the same number of times.
+ *   counts        scratch, one per work-group, then where the group's output begins
+ *   output        out  its kept elements, packed
+ * All groups work off the same number of tiles, one behind the other.
  */
-#include "reduce_element.h"
+#include "reduce_tile.h"
 
-/* Inclusive prefix sum over the group (Hillis and Steele 1986), log2(group) steps. */
-static uint scan_group(uint value, __local uint* sums)
+static uint tiles_per_group(uint length)
 {
-    const uint me = get_local_id(0), size = get_local_size(0);
-    sums[me] = value;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    for (uint step = 1; step < size; step *= 2) {
-        const uint left = me >= step ? sums[me - step] : 0;
-        barrier(CLK_LOCAL_MEM_FENCE);
-        sums[me] += left;
-        barrier(CLK_LOCAL_MEM_FENCE);
-    }
-    return sums[me];
+    return tile_count(tile_count(length, tile_size()), get_num_groups(0));
 }
 
-/* Blocks of one group's size that each group works off, the same number for all. */
-static uint blocks_per_group(uint length)
+__kernel void rsh_reduce_scan_scatter_count(RSH_STREAM, __global uint* counts,
+                                            __local uint* sums)
 {
-    const uint stride = get_global_size(0);
-    return length / stride + (length % stride != 0);
-}
-
-__kernel void rsh_reduce_scan_scatter_count(
-    __global const uint* input, __global const uchar* flags, __global const uint* input_count,
-    uint has_input_count, uint count, __global uint* counts, __local uint* sums)
-{
-    const uint length = stream_length(input_count, has_input_count, count);
-    const uint size = get_local_size(0), blocks = blocks_per_group(length);
-    ulong i = (ulong)get_group_id(0) * blocks * size + get_local_id(0);
+    const uint length = RSH_LENGTH, tiles = tiles_per_group(length);
     uint kept = 0;
-    for (uint b = 0; b < blocks; ++b, i += size)
-        if (i < length) kept += is_kept(input, flags, (uint)i);
-    const uint inclusive = scan_group(kept, sums);
-    if (get_local_id(0) == size - 1) counts[get_group_id(0)] = inclusive;
-}
-
-/* One work-group turns `groups` counts into exclusive prefix sums. */
-__kernel void rsh_reduce_scan_scatter_scan(
-    __global uint* counts, uint groups, __global uint* output_count, uint output_index,
-    __local uint* sums)
-{
-    const uint me = get_local_id(0), size = get_local_size(0);
-    uint total = 0;
-    for (uint first = 0; first < groups; first += size) {
-        const uint value = first + me < groups ? counts[first + me] : 0;
-        const uint inclusive = scan_group(value, sums);
-        if (first + me < groups) counts[first + me] = total + inclusive - value;
-        total += sums[size - 1];
-        barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint t = 0; t < tiles; ++t) {
+        const rsh_run tile = tile_run(get_group_id(0) * tiles + t, tile_size(), length);
+        for (uint i = tile.begin + get_local_id(0); i < tile.end; i += get_local_size(0))
+            kept += is_kept(input, flags, i);
     }
-    if (me == 0) output_count[output_index] = total;
+    const uint inclusive = scan_group(kept, sums);
+    if (get_local_id(0) == get_local_size(0) - 1) counts[get_group_id(0)] = inclusive;
 }
 
-__kernel void rsh_reduce_scan_scatter_write(
-    __global const uint* input, __global const uchar* flags, __global const uint* input_count,
-    uint has_input_count, uint count, __global const uint* counts, __global uint* output,
-    __local uint* sums)
+__kernel void rsh_reduce_scan_scatter_write(RSH_STREAM, __global const uint* counts,
+                                            __global uint* output, __local uint* sums)
 {
-    const uint length = stream_length(input_count, has_input_count, count);
-    const uint size = get_local_size(0), blocks = blocks_per_group(length);
-    ulong i = (ulong)get_group_id(0) * blocks * size + get_local_id(0);
+    const uint length = RSH_LENGTH, tiles = tiles_per_group(length);
     uint at = counts[get_group_id(0)];
-    for (uint b = 0; b < blocks; ++b, i += size) {
-        const uint keep = i < length ? is_kept(input, flags, (uint)i) : 0;
-        const uint inclusive = scan_group(keep, sums);
-        if (keep) store_element(load_element((uint)i, input), at + inclusive - 1, output);
-        at += sums[size - 1];
-        barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint t = 0; t < tiles; ++t) {
+        const rsh_run tile = tile_run(get_group_id(0) * tiles + t, tile_size(), length);
+        const rsh_rank rank = rank_tile(input, flags, tile, sums);
+        scatter_tile(input, tile, rank, output, at);
+        at += rank.total;
     }
 }

@@ -13,6 +13,7 @@
 #include "passes/shade.hpp"
 #include "passes/spawn.hpp"
 #include "pipeline.hpp"
+#include "reduce/selftest.hpp"
 #include "reduce/strategy.hpp"
 
 namespace rsh {
@@ -262,6 +263,24 @@ rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc,
 rsh_status rsh_reduce(rsh_context context, cl_command_queue queue, const rsh_reduce_desc* desc,
                       cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::reduce);
+}
+
+rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
+                               rsh_selftest* report) {
+    return rsh::guarded([&] {
+        rsh::Context& checked = rsh::checked_context(context);
+        rsh::check_submission(checked, queue, 0, nullptr);
+        rsh::check_struct(report, "report", "report.struct_size");
+        rsh_selftest found = {};
+        rsh::selftest(checked, queue, found);
+        rsh::hand_back(found, report);
+    });
+}
+
+cl_bool rsh_strategy_is_stable(cl_uint strategy) {
+    for (const rsh::Strategy* known : rsh::strategies())
+        if (known->id() == strategy) return known->is_stable() ? CL_TRUE : CL_FALSE;
+    return CL_FALSE;
 }
 
 const char* rsh_strategy_name(cl_uint strategy) {

@@ -27,8 +27,8 @@
  *              when there was nothing to do; after a failure it is NULL if nothing was
  *              enqueued, else as ever: until then commands use the call's buffers. As in
  *              OpenCL, `done` must not point into wait_list. In-order and out-of-order queues
- *              both work. rsh_frame, rsh_get_statistics and rsh_create_context may block, and
- *              say so.
+ *              both work. rsh_frame, rsh_get_statistics, rsh_device_selftest and
+ *              rsh_create_context may block, and say so.
  *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no
  *              buffer: those may be NULL or too small. It does no device work.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
@@ -334,11 +334,24 @@ enum {
     RSH_ENGINE_BRUTE_FORCE = 2 /* every ray against every triangle: the yardstick             */
 };
 
-/* How to reduce a stream. */
+/* How to reduce a stream; see rsh_reduce. */
 enum {
-    RSH_STRATEGY_DEFAULT = 0,     /* what suits the device */
-    RSH_STRATEGY_CHUNK = 1,       /* one run of elements per work-item, no barrier; stable    */
-    RSH_STRATEGY_SCAN_SCATTER = 2 /* prefix sum in work-groups, then scatter; stable          */
+    RSH_STRATEGY_DEFAULT = 0,      /* RSH_STRATEGY_AUTO */
+    RSH_STRATEGY_CHUNK = 1,        /* one run of elements per work-item, no barrier; stable   */
+    RSH_STRATEGY_SCAN_SCATTER = 2, /* prefix sums in work-groups, then scatter; stable        */
+    RSH_STRATEGY_AUTO = 3,         /* what suits device, length and density; stable           */
+    RSH_STRATEGY_BLOCK = 4,        /* blocks on their own, then their runs are moved (Roger et
+                                      al. 2007); stable                                       */
+    RSH_STRATEGY_BLOCK_SEARCH = 5, /* the same with the search that stood in for scattering;
+                                      stable                                                  */
+    RSH_STRATEGY_ATOMIC = 6,       /* an atomic increment per kept element; any order         */
+    RSH_STRATEGY_ATOMIC_GROUP = 7, /* an atomic addition per tile; any order                  */
+    RSH_STRATEGY_COUNT_EMIT = 8,   /* a bit per element and counts, then the output; stable   */
+    RSH_STRATEGY_LOOKBACK = 9,     /* one pass, each tile asks the ones before it (Merrill and
+                                      Garland 2016); stable                                   */
+    RSH_STRATEGY_HORN = 10,        /* log-step prefix sum, search (Horn 2005); stable         */
+    RSH_STRATEGY_BLELLOCH = 11     /* work-efficient prefix sum, scatter (Blelloch 1990);
+                                      stable                                                  */
 };
 
 /* What to find. */
@@ -494,20 +507,21 @@ RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
 /* ---- stream reduction ---- */
 
 enum {
-    RSH_KEEP_FLAGS = 0,   /* keep element i if byte i of `flags` is not 0                     */
-    RSH_KEEP_NOT_NULL = 1 /* keep element i if its first 4 bytes are not RSH_NO_HIT           */
+    RSH_KEEP_FLAGS = 0,    /* keep element i if byte i of `flags` is not 0                    */
+    RSH_KEEP_NOT_NULL = 1, /* keep element i if its first 4 bytes are not RSH_NO_HIT          */
+    RSH_KEEP_BITS = 2      /* keep element i if bit i % 8 of byte i / 8 of `flags` is set     */
 };
 
 typedef struct rsh_reduce_desc {
     size_t struct_size;
-    cl_uint strategy;
+    cl_uint strategy;        /* RSH_STRATEGY_... */
     cl_uint keep;            /* RSH_KEEP_... */
     cl_uint element_bytes;   /* 4, 8, 12 or 16 */
     cl_uint count;           /* elements of input, at most 2^31; with input_count: at most so
                                 many                                                          */
     cl_mem input_count;      /* in: one cl_uint on the device, up to `count`; NULL: `count`   */
     cl_mem input;            /* in */
-    cl_mem flags;            /* in: one byte per element; RSH_KEEP_FLAGS only                 */
+    cl_mem flags;            /* in: RSH_KEEP_FLAGS: a byte per element; RSH_KEEP_BITS: a bit   */
     cl_mem output;           /* out: room for every element kept, at least one             */
     cl_mem output_count;     /* out: one cl_uint, the number kept                             */
     cl_mem scratch;
@@ -518,12 +532,43 @@ RSH_API rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* 
 
 /* Packs the kept elements of a stream at the front of `output`; nothing is written behind them.
  *
- * Order:   both strategies are stable.
- * Limits:  input and output must not overlap.
- * Cost:    chunk: two launches, input read twice; scan_scatter: three. */
+ * Order:   stable strategies keep the order of the input; atomic and atomic_group do not, and
+ *          two calls may differ in it. rsh_strategy_is_stable tells which is which.
+ * Auto:    looks at the device and at `count`, which the host knows: where a work-item is a
+ *          task of a CPU, up to 65536 elements go to chunk, which is then a single launch, more
+ *          to lookback; elsewhere scan_scatter. How much is kept it learns on the device, tile
+ *          by tile, and reads nothing back: tiles that keep nothing are not read again. It
+ *          never picks a strategy that rsh_device_selftest masked.
+ * Limits:  input and output must not overlap. No strategy assumes that work-groups wait for
+ *          each other: lookback counts a tile itself that says nothing for long.
+ * Cost:    launches, and n words read or written (k kept, of e words; flags: f words per
+ *          element), for chunk 2 (1 if short) and 2 n f + n e + k e; count_emit 2; block 3 and
+ *          2 k e more than chunk; scan_scatter 3; atomic, atomic_group and lookback 2, and n f +
+ *          n e + k e where tiles fit the cache; horn 2 + log2 n; blelloch 3 + 2 log2 n. */
 RSH_API rsh_status rsh_reduce(rsh_context context, cl_command_queue queue,
                               const rsh_reduce_desc* desc, cl_uint wait_count,
                               const cl_event* wait_list, cl_event* done);
+
+/* Whether the strategy keeps the order of the input; CL_FALSE also for values that are none. */
+RSH_API cl_bool rsh_strategy_is_stable(cl_uint strategy);
+
+typedef struct rsh_selftest {
+    size_t struct_size;
+    cl_uint tested_strategies; /* bit s: the strategy of value s was run                      */
+    cl_uint unsafe_strategies; /* bit s: it gave a wrong answer, or did not run; its name:
+                                  rsh_strategy_name(s)                                        */
+    cl_uint cases;             /* reductions that were compared                               */
+    char first_failure[256];   /* strategy, stream, what it gave and what it had to; or ""    */
+} rsh_selftest;
+
+/* Runs every strategy on streams of the kinds that drivers are known to get wrong (work-groups
+ * that are not full, scans over several blocks, counts that only the device knows) and compares
+ * with the host. The unsafe ones are masked on this context, until the next self-test: calls
+ * that name them, and their queries, return RSH_UNSUPPORTED.
+ * BLOCKS, for less than a second once the programs are built. Finding a strategy unsafe is not
+ * an error. Call it before the queries that its outcome may change. */
+RSH_API rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
+                                       rsh_selftest* report);
 
 /* Name of a strategy ("chunk") or engine ("paper"), and its value for a name; NULL and
  * RSH_INVALID_VALUE when there is none. */

@@ -3,6 +3,8 @@
 
 #include <rsh/rsh.h>
 
+#include <atomic>
+
 #include "cl/device_caps.hpp"
 #include "cl/opencl.hpp"
 #include "cl/programs.hpp"
@@ -22,6 +24,8 @@ public:
     Programs programs;
     ScratchPool pool;
     StatisticsLog statistics;
+    // Bit s: the strategy of value s gives wrong answers here; see rsh_device_selftest.
+    std::atomic<cl_uint> unsafe_strategies{0};
 };
 
 // RSH_DEVICE or `name` as a substring of platform or device; see rsh_find_device.

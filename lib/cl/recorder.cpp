@@ -54,10 +54,10 @@ Range Recorder::stream_range() const {
     return {tasks * caps.group_size, caps.group_size};
 }
 
-void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes) {
+void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset) {
     if (bytes == 0) return;
     cl::Event event;
-    queue_.enqueueFillBuffer(cl::Buffer(buffer, true), word, 0, bytes, waits(), &event);
+    queue_.enqueueFillBuffer(cl::Buffer(buffer, true), word, offset, bytes, waits(), &event);
     record(stage, event);
 }
 

@@ -54,8 +54,8 @@ public:
     // see kernels/stride.h.
     Range stream_range() const;
 
-    // Sets `bytes` (a multiple of 4) at the front of `buffer` to a repeated word.
-    void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes);
+    // Sets `bytes` of `buffer` from `offset` on (multiples of 4) to a repeated word.
+    void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset = 0);
     // Adds words from the front of `buffer` to the statistics, once they arrived.
     void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
     // BLOCKS for the word; rsh_frame only.

@@ -53,6 +53,7 @@ ReduceStream survivors(const PairStreams& streams, cl_uint level) {
     stream.output = streams.pairs;
     stream.output_count = streams.counts;
     stream.output_index = level;
+    stream.program = "program_traverse";
     return stream;
 }
 
@@ -82,7 +83,7 @@ public:
         : recorder_(recorder),
           desc_(desc),
           levels_(levels_of(desc.width, desc.height)),
-          strategy_(find_strategy(desc.strategy)),
+          strategy_(safe_strategy(recorder.context(), desc.strategy)),
           scratch_(recorder, layout, desc.scratch),
           streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["candidates"],
                    scratch_["candidate count"], scratch_["counts"]} {
@@ -151,7 +152,8 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
     if (spheres == Spheres::made)
         layout.add("spheres", size_t{desc.geometry.triangle_count} * 16);
-    find_strategy(desc.strategy).reserve(layout, context, 4 * limit);
+    safe_strategy(context, desc.strategy)
+        .reserve(layout, context, {4 * limit, sizeof(rsh_pair)});
     return layout;
 }
 

@@ -1,41 +1,53 @@
-#include "reduce/chunk.hpp"
-
-#include <algorithm>
+// chunk.cpp - one run of elements per work-item (reduce_chunk.cl): count, then write; a short
+// stream by one work-item at once. No barrier, no local memory: safe on any driver, and quick
+// where cores are few and caches large.
+#include "reduce/launch.hpp"
 
 namespace rsh {
 namespace {
 
-// Every work-item adds up the counts before its own, so their number is bounded; a run shorter
-// than this is not worth a task.
-constexpr cl_uint kShortestRun = 1024;
-
-Range runs(const Context& context, cl_uint count) {
-    const bool is_cpu = context.vector_width > 1;
-    const size_t group = is_cpu ? 1 : context.caps.group_size;
-    const size_t most = context.caps.compute_units * (is_cpu ? 16 : 4 * group);
-    const size_t items = std::clamp<size_t>(count / kShortestRun, 1, most);
-    return {(items + group - 1) / group * group, group};
+// Up to here one core is done before a second launch would begin.
+bool is_short(const Context& context, cl_uint count) {
+    return count <= (has_single_items(context) ? 1u << 16 : 1u << 10);
 }
+
+class Chunk final : public Strategy {
+public:
+    cl_uint id() const noexcept override { return RSH_STRATEGY_CHUNK; }
+    const char* name() const noexcept override { return "chunk"; }
+    bool is_stable() const noexcept override { return true; }
+
+    void reserve(Layout& scratch, const Context& context,
+                 const ReduceShape& shape) const override {
+        if (!is_short(context, shape.count))
+            scratch.add_array<cl_uint>("reduce counts", runs(context, shape.count).items);
+    }
+
+    void enqueue(Recorder& recorder, const ReduceStream& stream,
+                 const Scratch& scratch) const override {
+        const Context& context = recorder.context();
+        const auto kernel = [&](const char* name) {
+            return stream.program ? KernelName{stream.program, name}
+                                  : kernel_for(stream, "reduce_chunk", name);
+        };
+        if (is_short(context, stream.count)) {
+            launch(recorder, stream, kernel("rsh_reduce_chunk_alone"), single_items(1),
+                   stream.output, stream.output_count, stream.output_index);
+            return;
+        }
+        const Range range = runs(context, stream.count);
+        const cl_mem counts = scratch["reduce counts"];
+        launch(recorder, stream, kernel("rsh_reduce_chunk_count"), range, counts);
+        launch(recorder, stream, kernel("rsh_reduce_chunk_write"), range, counts, stream.output,
+               stream.output_count, stream.output_index);
+    }
+};
 
 }  // namespace
 
-void Chunk::reserve(Layout& scratch, const Context& context, cl_uint count) const {
-    scratch.add_array<cl_uint>("reduce counts", runs(context, count).items);
-}
-
-void Chunk::enqueue(Recorder& recorder, const ReduceStream& stream,
-                    const Scratch& scratch) const {
-    const Range range = runs(recorder.context(), stream.count);
-    const char* program = "reduce_chunk";
-    const cl_uint has_input_count = stream.input_count != nullptr;
-    const cl_mem counts = scratch["reduce counts"];
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_count"),
-                    range, stream.input, stream.flags, stream.input_count, has_input_count,
-                    stream.count, counts);
-    recorder.launch(RSH_STAGE_REDUCE, reduce_kernel(stream, program, "rsh_reduce_chunk_write"),
-                    range, stream.input, stream.flags, stream.input_count, has_input_count,
-                    stream.count, counts, stream.output, stream.output_count,
-                    stream.output_index);
+const Strategy& chunk() {
+    static const Chunk strategy;
+    return strategy;
 }
 
 }  // namespace rsh

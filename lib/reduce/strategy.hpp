@@ -1,6 +1,7 @@
 // strategy.hpp - stream reduction: packs the kept elements of a stream. A strategy is one way
 // to do it; nobody but list.cpp knows which ones there are. To add one: an enum value in rsh.h,
-// a class and its kernel file, a row in list.cpp; tests and --strategy pick it up.
+// a kernel file, a host file with a class like this one, a row in list.inc; tests, --strategy
+// and the benchmark pick it up.
 #pragma once
 
 #include <vector>
@@ -21,6 +22,15 @@ struct ReduceStream {
     cl_mem output;
     cl_mem output_count;
     cl_uint output_index;
+    // The caller's program, if it includes the kernels of the strategies that `automatic` picks
+    // from, for this stream's elements; else null.
+    const char* program;
+};
+
+// What the need of scratch memory depends on.
+struct ReduceShape {
+    cl_uint count;
+    cl_uint element_bytes;
 };
 
 class Strategy {
@@ -28,18 +38,18 @@ public:
     virtual ~Strategy() = default;
     virtual cl_uint id() const noexcept = 0;        // RSH_STRATEGY_...
     virtual const char* name() const noexcept = 0;  // command lines, logs, benchmarks
-    // Adds what a stream of `count` elements needs; parts are named "reduce ...".
-    virtual void reserve(Layout& scratch, const Context& context, cl_uint count) const = 0;
+    virtual bool is_stable() const noexcept = 0;    // kept elements stay in order
+    // Adds what a stream of that shape needs; parts are named "reduce ...".
+    virtual void reserve(Layout& scratch, const Context& context,
+                         const ReduceShape& shape) const = 0;
     virtual void enqueue(Recorder& recorder, const ReduceStream& stream,
                          const Scratch& scratch) const = 0;
 };
 
 const std::vector<const Strategy*>& strategies();
-const Strategy& find_strategy(cl_uint id);  // throws; RSH_STRATEGY_DEFAULT: what suits
-
-// A strategy's kernel for the stream's elements. Pairs are reduced by the traversal's own
-// program.
-KernelName reduce_kernel(const ReduceStream& stream, const char* program, const char* kernel);
+const Strategy& find_strategy(cl_uint id);  // throws
+// The same, if rsh_device_selftest did not find it wrong on this context's device.
+const Strategy& safe_strategy(const Context& context, cl_uint id);
 
 // rsh_reduce
 Layout reduce_scratch(const Context& context, const rsh_reduce_desc& desc);

@@ -47,7 +47,7 @@ void expect_round_trip(Name name, FromName from_name, cl_uint first, cl_uint las
 
 TEST(Names, OfStrategiesAndEnginesGoBothWays) {
     expect_round_trip(rsh_strategy_name, rsh_strategy_from_name, RSH_STRATEGY_CHUNK,
-                      RSH_STRATEGY_SCAN_SCATTER);
+                      RSH_STRATEGY_BLELLOCH);
     expect_round_trip(rsh_engine_name, rsh_engine_from_name, RSH_ENGINE_PAPER,
                       RSH_ENGINE_BRUTE_FORCE);
 }

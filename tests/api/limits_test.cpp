@@ -108,7 +108,7 @@ TEST_F(Queries, OfReductionsRefuseWhatReductionsRefuse) {
     using Desc = rsh_reduce_desc;
     const Desc desc = valid_.reduce();
     refuses<Desc>(desc, "element_bytes", [](Desc& d) { d.element_bytes = 20; });
-    refuses<Desc>(desc, "keep", [](Desc& d) { d.keep = 2; });
+    refuses<Desc>(desc, "keep", [](Desc& d) { d.keep = 3; });
     refuses<Desc>(desc, "strategy", [](Desc& d) { d.strategy = 77; });
     refuses<Desc>(desc, "count", [](Desc& d) { d.count = (1u << 31) + 1; });
 }

@@ -128,7 +128,7 @@ TEST_F(Misuse, OfReduceIsRefused) {
     for (const cl_uint bytes : {0u, 1u, 5u, 20u, 0xfffffffcu})
         refuses<Desc>(desc, [=](Desc& d) { d.element_bytes = bytes; }, RSH_INVALID_VALUE,
                       {"element_bytes", std::to_string(bytes), "16"});
-    refuses<Desc>(desc, [](Desc& d) { d.keep = 2; }, RSH_INVALID_VALUE, {"keep", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.keep = 3; }, RSH_INVALID_VALUE, {"keep", "3"});
     refuses<Desc>(desc, [](Desc& d) { d.strategy = 99; }, RSH_INVALID_VALUE,
                   {"strategy", "99"});
     refuses<Desc>(desc, [](Desc& d) { d.count = 1025; }, RSH_BUFFER_TOO_SMALL,
@@ -146,8 +146,16 @@ TEST_F(Misuse, OfReduceIsRefused) {
                   {"output", "NULL"});
     refuses<Desc>(desc, [](Desc& d) { d.output_count = nullptr; }, RSH_INVALID_VALUE,
                   {"output_count", "NULL"});
-    refuses<Desc>(desc, [&](Desc& d) { d.scratch = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+    auto scanned = desc;
+    scanned.strategy = RSH_STRATEGY_SCAN_SCATTER;
+    refuses<Desc>(scanned, [&](Desc& d) { d.scratch = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                   {"scratch", "4 bytes"});
+    auto by_bits = desc;
+    by_bits.keep = RSH_KEEP_BITS;
+    refuses<Desc>(by_bits, [&](Desc& d) { d.flags = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"flags", "4 bytes", "128"});
+    refuses<Desc>(by_bits, [](Desc& d) { d.flags = nullptr; }, RSH_INVALID_VALUE,
+                  {"flags", "NULL"});
 }
 
 TEST_F(Misuse, OfGeometryIsRefused) {

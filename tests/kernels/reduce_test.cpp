@@ -9,6 +9,7 @@
 
 #include "../support/buffer.hpp"
 #include "../support/compare.hpp"
+#include "../support/strategies.hpp"
 
 namespace {
 
@@ -43,6 +44,13 @@ struct Stream {
     std::vector<uint8_t> flags;
 
     uint32_t count() const { return uint32_t(flags.size()); }
+    // As RSH_KEEP_BITS wants them.
+    std::vector<uint8_t> bits() const {
+        std::vector<uint8_t> packed((flags.size() + 7) / 8);
+        for (size_t i = 0; i < flags.size(); ++i)
+            if (flags[i]) packed[i / 8] = uint8_t(packed[i / 8] | 1 << i % 8);
+        return packed;
+    }
 };
 
 // Any byte but 0 keeps. Elements that are dropped by value begin with RSH_NO_HIT; with flags,
@@ -57,7 +65,7 @@ Stream make_stream(cl_uint keep, cl_uint element_bytes, uint32_t count, Pattern 
             stream.words.push_back(random.chance(0.1f) && w > 0 ? RSH_NO_HIT : i * 4 + w);
         uint32_t& first = stream.words[size_t(i) * element_bytes / 4];
         if (keep == RSH_KEEP_NOT_NULL) first = keeps ? first : RSH_NO_HIT;
-        if (keep == RSH_KEEP_FLAGS && random.chance(0.1f)) first = RSH_NO_HIT;
+        if (keep != RSH_KEEP_NOT_NULL && random.chance(0.1f)) first = RSH_NO_HIT;
     }
     return stream;
 }
@@ -76,18 +84,41 @@ std::vector<uint32_t> reference(const Stream& stream, uint32_t count) {
     return packed;
 }
 
+// For strategies that promise no order: as a set, by the words of each element in turn.
+std::vector<uint32_t> sorted_elements(const std::vector<uint32_t>& words, size_t per_element) {
+    std::vector<std::vector<uint32_t>> elements;
+    for (size_t i = 0; i < words.size(); i += per_element)
+        elements.emplace_back(words.begin() + long(i), words.begin() + long(i + per_element));
+    std::sort(elements.begin(), elements.end());
+    std::vector<uint32_t> sorted;
+    for (const auto& element : elements)
+        sorted.insert(sorted.end(), element.begin(), element.end());
+    return sorted;
+}
+
 struct Options {
     cl_uint strategy = RSH_STRATEGY_DEFAULT;
     cl_uint keep = RSH_KEEP_FLAGS;
     uint32_t on_device = 0xffffffffu;  // the count on the device; all ones: none
     bool own_scratch = false;
+    rsh_context context = nullptr;  // null: the device's
+    int repeats = 1;
 };
+
+::testing::AssertionResult same_elements(const std::vector<uint32_t>& actual,
+                                         const std::vector<uint32_t>& expected,
+                                         cl_uint strategy, size_t per_element) {
+    if (strategy == RSH_STRATEGY_DEFAULT || rsh_strategy_is_stable(strategy))
+        return test::same_bits(actual, expected, "words");
+    return test::same_bits(sorted_elements(actual, per_element),
+                           sorted_elements(expected, per_element), "words");
+}
 
 void expect_reduced(const Stream& stream, const Options& options) {
     const uint32_t count = std::min(stream.count(), options.on_device);
     const std::vector<uint32_t> expected = reference(stream, count);
     const Buffer<uint32_t> input(stream.words);
-    const Buffer<uint8_t> flags(stream.flags);
+    const Buffer<uint8_t> flags(options.keep == RSH_KEEP_BITS ? stream.bits() : stream.flags);
     // The room that the survivors need and no more, but for one element when there is none:
     // anything behind them lands in the guard or in that element.
     const size_t one = stream.element_bytes / 4;
@@ -102,25 +133,28 @@ void expect_reduced(const Stream& stream, const Options& options) {
     desc.count = stream.count();
     desc.input_count = options.on_device == 0xffffffffu ? nullptr : input_count.get();
     desc.input = input.get();
-    desc.flags = options.keep == RSH_KEEP_FLAGS ? flags.get() : nullptr;
+    desc.flags = options.keep == RSH_KEEP_NOT_NULL ? nullptr : flags.get();
     desc.output = output.get();
     desc.output_count = output_count.get();
+    const rsh_context context = options.context ? options.context : test::device().rsh;
     std::unique_ptr<test::Bytes> scratch;
     if (options.own_scratch) {
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
-        RSH_CHECK(rsh_reduce_query(test::device().rsh, &desc, &sizes));
-        scratch = std::make_unique<test::Bytes>(sizes.scratch_bytes);
-        desc.scratch = scratch->get();
+        RSH_CHECK(rsh_reduce_query(context, &desc, &sizes));
+        if (sizes.scratch_bytes > 0)
+            scratch = std::make_unique<test::Bytes>(sizes.scratch_bytes);
+        desc.scratch = scratch ? scratch->get() : nullptr;
     }
-    RSH_CHECK(
-        rsh_reduce(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
-
-    EXPECT_EQ(output_count.read()[0], expected.size() * 4 / stream.element_bytes);
-    if (expected.empty()) {
-        EXPECT_TRUE(output.untouched());
-    } else {
-        EXPECT_TRUE(test::same_bits(output.read(), expected, "words"));
+    for (int repeat = 0; repeat < options.repeats && !::testing::Test::HasFailure(); ++repeat) {
+        RSH_CHECK(rsh_reduce(context, test::device().queue(), &desc, 0, nullptr, nullptr));
+        EXPECT_EQ(output_count.read()[0], expected.size() * 4 / stream.element_bytes);
+        if (expected.empty()) {
+            EXPECT_TRUE(output.untouched());
+        } else {
+            EXPECT_TRUE(same_elements(output.read(), expected, options.strategy, one))
+                << "repeat " << repeat;
+        }
     }
     EXPECT_TRUE(output.guards_intact());
     EXPECT_TRUE(output_count.guards_intact());
@@ -166,7 +200,7 @@ TEST_P(Reduce, EqualsCopyIfForAMillionElements) {
 }
 
 TEST_P(Reduce, TakesItsCountFromTheDevice) {
-    for (const uint32_t on_device : {0u, 1u, 63u, 64u, 65u, 500u, 999u, 1000u}) {
+    for (const uint32_t on_device : {0u, 1u, 63u, 64u, 65u, 500u, 999u, 1000u, 5000u}) {
         SCOPED_TRACE("count on the device " + std::to_string(on_device));
         Options with_count = options();
         with_count.on_device = on_device;
@@ -183,25 +217,58 @@ TEST_P(Reduce, StaysInsideTheScratchThatTheQueryAsksFor) {
     }
 }
 
-// The default and all that the library names: a new strategy is tested without a word here.
-std::vector<cl_uint> strategies() {
-    std::vector<cl_uint> all = {RSH_STRATEGY_DEFAULT};
-    for (cl_uint id = 1; rsh_strategy_name(id); ++id) all.push_back(id);
+TEST_P(Reduce, GivesTheSameAHundredTimes) {
+    if (test::small()) GTEST_SKIP() << "RSH_TEST_SMALL is set: too many for an emulator";
+    Options repeated = options();
+    repeated.repeats = 100;
+    expect_reduced(stream(20011, Pattern::half), repeated);
+}
+
+std::vector<cl_uint> default_and_all() {
+    std::vector<cl_uint> all = test::all_strategies();
+    all.insert(all.begin(), RSH_STRATEGY_DEFAULT);
     return all;
 }
 
 std::string name_of(const ::testing::TestParamInfo<Param>& info) {
-    const char* strategy = rsh_strategy_name(std::get<0>(info.param));
-    return std::string(strategy ? strategy : "default") +
-           (std::get<1>(info.param) == RSH_KEEP_FLAGS ? "_flags_" : "_not_null_") +
+    const char* const keeps[] = {"_flags_", "_not_null_", "_bits_"};
+    return test::strategy_name(std::get<0>(info.param)) + keeps[std::get<1>(info.param)] +
            std::to_string(std::get<2>(info.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Reduce,
-                         ::testing::Combine(::testing::ValuesIn(strategies()),
-                                            ::testing::Values(RSH_KEEP_FLAGS,
-                                                              RSH_KEEP_NOT_NULL),
+                         ::testing::Combine(::testing::ValuesIn(default_and_all()),
+                                            ::testing::Values(RSH_KEEP_FLAGS, RSH_KEEP_NOT_NULL,
+                                                              RSH_KEEP_BITS),
                                             ::testing::Values(4u, 8u, 12u, 16u)),
                          name_of);
+
+using WidthParam = std::tuple<cl_uint, cl_uint>;  // strategy, vector width
+
+class ReduceWidth : public ::testing::TestWithParam<WidthParam> {};
+
+// Width 1 takes the kernels for work-groups, the others those for single work-items.
+TEST_P(ReduceWidth, DoesNotChangeTheAnswer) {
+    const test::OwnContext context(std::get<1>(GetParam()));
+    Options options;
+    options.strategy = std::get<0>(GetParam());
+    options.context = context.get();
+    for (const uint32_t count : counts()) {
+        SCOPED_TRACE("count " + std::to_string(count));
+        expect_reduced(make_stream(options.keep, 8, count, Pattern::half), options);
+    }
+    if (!test::small())
+        expect_reduced(make_stream(options.keep, 8, 300007, Pattern::runs), options);
+}
+
+std::string width_name_of(const ::testing::TestParamInfo<WidthParam>& info) {
+    return test::strategy_name(std::get<0>(info.param)) + "_" +
+           std::to_string(std::get<1>(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReduceWidth,
+                         ::testing::Combine(::testing::ValuesIn(default_and_all()),
+                                            ::testing::Values(1u, 4u, 8u, 16u)),
+                         width_name_of);
 
 }  // namespace

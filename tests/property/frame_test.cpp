@@ -5,6 +5,7 @@
 
 #include "../support/compare.hpp"
 #include "../support/render.hpp"
+#include "../support/strategies.hpp"
 #include "../support/trace.hpp"
 
 namespace {
@@ -132,7 +133,7 @@ TEST(Frame, GivesTheSameBytesWithEveryEngineStrategyAndBudget) {
     options.engine = RSH_ENGINE_BRUTE_FORCE;
     const auto expected = test::frame(scene, options);
     options.engine = RSH_ENGINE_PAPER;
-    for (const cl_uint strategy : {RSH_STRATEGY_CHUNK, RSH_STRATEGY_SCAN_SCATTER})
+    for (const cl_uint strategy : test::all_strategies())
         for (const size_t budget : {size_t(0), size_t(RSH_MIN_BUDGET)}) {
             options.strategy = strategy;
             options.budget = budget;

@@ -6,6 +6,7 @@
 
 #include "../support/cases.hpp"
 #include "../support/compare.hpp"
+#include "../support/strategies.hpp"
 #include "../support/trace.hpp"
 
 namespace {
@@ -86,14 +87,12 @@ TEST_P(Traverse, FindsTheSameHitsWithEveryBudget) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Param>& info) {
-    return std::get<0>(info.param).name +
-           (std::get<1>(info.param) == RSH_STRATEGY_CHUNK ? "Chunk" : "ScanScatter");
+    return std::get<0>(info.param).name + "_" + test::strategy_name(std::get<1>(info.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Traverse,
                          ::testing::Combine(::testing::ValuesIn(test::all_cases()),
-                                            ::testing::Values(RSH_STRATEGY_CHUNK,
-                                                              RSH_STRATEGY_SCAN_SCATTER)),
+                                            ::testing::ValuesIn(test::all_strategies())),
                          name_of);
 
 class Overflow : public ::testing::TestWithParam<cl_uint> {};
@@ -125,11 +124,9 @@ TEST_P(Overflow, LosesNoPairWhenStreamsAreFull) {
     EXPECT_LE(s.peak_pairs * sizeof(rsh_pair), size_t(RSH_MIN_BUDGET));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Overflow,
-                         ::testing::Values(RSH_STRATEGY_CHUNK, RSH_STRATEGY_SCAN_SCATTER),
+INSTANTIATE_TEST_SUITE_P(All, Overflow, ::testing::ValuesIn(test::all_strategies()),
                          [](const auto& strategy) {
-                             return strategy.param == RSH_STRATEGY_CHUNK ? "Chunk"
-                                                                         : "ScanScatter";
+                             return test::strategy_name(strategy.param);
                          });
 
 // Nodes may bound rays from where they meet. Rays that run on behind that point, and rays that

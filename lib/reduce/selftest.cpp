@@ -1,0 +1,168 @@
+#include "reduce/selftest.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace rsh {
+namespace {
+
+constexpr cl_uint kCanary = 0xa5a5a5a5u;
+constexpr cl_uint kGuard = 64;  // elements behind the longest output that must stay as they are
+
+// What drivers got wrong before: groups that are not full, conditional stores to local memory,
+// scans over several blocks, loops around barriers, counts that only the device knows.
+struct Pattern {
+    const char* name;
+    bool (*keeps)(cl_uint i, cl_uint length);
+};
+const Pattern kPatterns[] = {
+    {"none", [](cl_uint, cl_uint) { return false; }},
+    {"all", [](cl_uint, cl_uint) { return true; }},
+    {"every second", [](cl_uint i, cl_uint) { return i % 2 == 1; }},
+    {"the last", [](cl_uint i, cl_uint length) { return i + 1 == length; }},
+    {"scattered", [](cl_uint i, cl_uint) { return (i * 2654435761u >> 16) % 5 < 2; }},
+};
+
+struct Stream {
+    std::string name;
+    cl_uint length;  // on the device; the host says `count`
+    cl_uint count;
+    std::vector<cl_uchar> flags;
+    std::vector<cl_uint> expected;
+};
+
+// Distinct, and no element is its index.
+cl_uint element(cl_uint i) {
+    return i * 2654435761u + 12345u;
+}
+
+Stream make_stream(const Pattern& pattern, cl_uint length, cl_uint count) {
+    Stream stream = {std::to_string(length) + " elements, kept: " + pattern.name,
+                     length,
+                     count,
+                     std::vector<cl_uchar>(count, 1),
+                     {}};
+    for (cl_uint i = 0; i < length; ++i) {
+        stream.flags[i] = pattern.keeps(i, length);
+        if (stream.flags[i]) stream.expected.push_back(element(i));
+    }
+    return stream;
+}
+
+std::vector<Stream> make_streams(const Context& context) {
+    const cl_uint group = static_cast<cl_uint>(context.caps.group_size);
+    std::vector<Stream> streams;
+    for (const cl_uint length : {1u, group - 1, group, group + 1, 4 * group + 3, 4099u, 70001u})
+        for (const Pattern& pattern : kPatterns)
+            streams.push_back(make_stream(pattern, length, length));
+    for (const cl_uint length : {0u, 4099u})
+        streams.push_back(make_stream(kPatterns[4], length, 70001));
+    return streams;
+}
+
+class Bench {
+public:
+    Bench(Context& context, cl_command_queue queue, cl_uint longest)
+        : context_(context),
+          queue_(queue, true),
+          room_(longest + kGuard),
+          input_(context.cl, CL_MEM_READ_ONLY, bytes(longest)),
+          flags_(context.cl, CL_MEM_READ_ONLY, longest),
+          output_(context.cl, CL_MEM_READ_WRITE, bytes(room_)),
+          counts_(context.cl, CL_MEM_READ_WRITE, bytes(2)) {
+        std::vector<cl_uint> elements(longest);
+        for (cl_uint i = 0; i < longest; ++i) elements[i] = element(i);
+        queue_.enqueueWriteBuffer(input_, CL_TRUE, 0, bytes(longest), elements.data());
+    }
+
+    // What is wrong with the answer; "" if nothing is.
+    std::string try_strategy(const Strategy& strategy, const Stream& stream) {
+        const cl_uint counts[] = {stream.length, kCanary};
+        queue_.enqueueWriteBuffer(flags_, CL_TRUE, 0, stream.count, stream.flags.data());
+        queue_.enqueueWriteBuffer(counts_, CL_TRUE, 0, sizeof counts, counts);
+        queue_.enqueueFillBuffer(output_, kCanary, 0, bytes(room_));
+        queue_.finish();
+        run(strategy, stream);
+        cl_uint kept = 0;
+        std::vector<cl_uint> found(room_);
+        queue_.enqueueReadBuffer(counts_, CL_TRUE, bytes(1), sizeof kept, &kept);
+        queue_.enqueueReadBuffer(output_, CL_TRUE, 0, bytes(room_), found.data());
+        return compare(strategy, stream.expected, kept, found);
+    }
+
+private:
+    static size_t bytes(size_t words) { return words * sizeof(cl_uint); }
+
+    void run(const Strategy& strategy, const Stream& stream) {
+        Recorder recorder(context_, {queue_(), 0, nullptr}, nullptr);
+        Layout layout(context_.caps.alignment);
+        strategy.reserve(layout, context_, {stream.count, sizeof(cl_uint)});
+        const Scratch scratch(recorder, layout, nullptr);
+        const bool is_known = stream.length == stream.count;
+        strategy.enqueue(
+            recorder,
+            {RSH_KEEP_FLAGS, sizeof(cl_uint), stream.count, is_known ? nullptr : counts_(),
+             input_(), flags_(), output_(), counts_(), 1, nullptr},
+            scratch);
+        queue_.finish();
+    }
+
+    static std::string compare(const Strategy& strategy, std::vector<cl_uint> expected,
+                               cl_uint kept, std::vector<cl_uint> found) {
+        if (kept != expected.size())
+            return "count is " + std::to_string(kept) + ", must be " +
+                   std::to_string(expected.size());
+        if (!strategy.is_stable()) {
+            std::sort(expected.begin(), expected.end());
+            std::sort(found.begin(), found.begin() + kept);
+        }
+        expected.resize(found.size(), kCanary);
+        const auto wrong = std::mismatch(found.begin(), found.end(), expected.begin());
+        if (wrong.first == found.end()) return "";
+        return "element " + std::to_string(wrong.first - found.begin()) + " is " +
+               std::to_string(*wrong.first) + ", must be " + std::to_string(*wrong.second);
+    }
+
+    Context& context_;
+    cl::CommandQueue queue_;
+    cl_uint room_;
+    cl::Buffer input_, flags_, output_, counts_;
+};
+
+// A driver may also refuse to compile or to run what it cannot do.
+std::string first_failure(Bench& bench, const Strategy& strategy,
+                          const std::vector<Stream>& streams, cl_uint& cases) {
+    try {
+        for (const Stream& stream : streams) {
+            ++cases;
+            const std::string wrong = bench.try_strategy(strategy, stream);
+            if (!wrong.empty()) return stream.name + ": " + wrong;
+        }
+        return "";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
+void selftest(Context& context, cl_command_queue queue, rsh_selftest& report) {
+    const std::vector<Stream> streams = make_streams(context);
+    Bench bench(context, queue, streams.back().count);
+    report = {};
+    for (const Strategy* strategy : strategies()) {
+        if (strategy->id() == RSH_STRATEGY_AUTO) continue;
+        const std::string failure = first_failure(bench, *strategy, streams, report.cases);
+        report.tested_strategies |= 1u << strategy->id();
+        if (failure.empty()) continue;
+        report.unsafe_strategies |= 1u << strategy->id();
+        const std::string text = std::string(strategy->name()) + ": " + failure;
+        if (report.first_failure[0] == '\0')
+            std::strncpy(report.first_failure, text.c_str(), sizeof report.first_failure - 1);
+    }
+    context.unsafe_strategies = report.unsafe_strategies;
+}
+
+}  // namespace rsh

@@ -1,0 +1,12 @@
+// selftest.hpp - rsh_device_selftest: runs every strategy on streams that drivers are known to
+// get wrong, and masks those that fail on the context.
+#pragma once
+
+#include "reduce/strategy.hpp"
+
+namespace rsh {
+
+// BLOCKS. Fills all of *report but struct_size.
+void selftest(Context& context, cl_command_queue queue, rsh_selftest& report);
+
+}  // namespace rsh
