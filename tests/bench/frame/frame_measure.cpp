@@ -36,8 +36,10 @@ struct Contender {
     DifferenceCounts differences;
     std::vector<double> total_ms, bound_ms, build_ms, traverse_ms;
 
-    // Seconds per frame tell all there is to tell after one round.
-    bool is_done() const { return !total_ms.empty() && total_ms.back() > kSlowMs; }
+    // A wrong answer has no speed; seconds per frame tell all there is to tell after one round.
+    bool is_done() const {
+        return mismatches > 0 || (!total_ms.empty() && total_ms.back() > kSlowMs);
+    }
     static constexpr double kSlowMs = 1500;
 };
 
@@ -63,6 +65,7 @@ private:
     void check(Contender& contender, const BruteCheck& brute);
     void time_round(double moment);
     const Embree& best_rebuild() const;
+    void put_times(const Contender& contender, nlohmann::json& metrics) const;
     nlohmann::json metrics(const Contender& contender) const;
     nlohmann::json params(const Contender& contender) const;
 
@@ -202,36 +205,41 @@ nlohmann::json RowRun::params(const Contender& contender) const {
             {"bound", contender.column.bound_name}};
 }
 
-nlohmann::json RowRun::metrics(const Contender& c) const {
+void RowRun::put_times(const Contender& c, nlohmann::json& metrics) const {
     const Embree &best = best_rebuild(), &refit = embrees_[2];
     const Spread total = spread(c.total_ms);
     const Spread against = ratio(best.total_ms, c.total_ms);
-    return {{"ms_total", total.median},
-            {"ms_total_low", total.low},
-            {"ms_total_high", total.high},
-            {"ms_bound", spread(c.bound_ms).median},
-            {"ms_build", spread(c.build_ms).median},
-            {"ms_traverse", spread(c.traverse_ms).median},
-            {"embree_build", name_of(best.build)},
-            {"embree_packet", best.mode.width},
-            {"embree_build_ms", spread(best.build_ms).median},
-            {"embree_trace_ms", spread(best.trace_ms).median},
-            {"embree_refit_ms", spread(refit.build_ms).median},
-            {"embree_refit_trace_ms", spread(refit.trace_ms).median},
-            {"ratio_embree", against.median},
-            {"ratio_embree_low", against.low},
-            {"ratio_embree_high", against.high},
-            {"ratio_embree_refit", ratio(refit.total_ms, c.total_ms).median},
-            {"rounds", c.total_ms.size()},
-            {"tests_per_ray", c.work.tests_per_ray},
-            {"pairs_peak", c.work.peak_pairs},
-            {"bytes_peak", c.tracer->bytes()},
-            {"launches", c.work.launches},
-            {"embree_same_distance", c.differences.same_distance},
-            {"embree_edge", c.differences.edge},
-            {"embree_grazing", c.differences.grazing},
-            {"embree_other", c.differences.other},
-            {"mismatches", c.mismatches}};
+    metrics.update({{"ms_total", total.median},
+                    {"ms_total_low", total.low},
+                    {"ms_total_high", total.high},
+                    {"ms_bound", spread(c.bound_ms).median},
+                    {"ms_build", spread(c.build_ms).median},
+                    {"ms_traverse", spread(c.traverse_ms).median},
+                    {"embree_build", name_of(best.build)},
+                    {"embree_packet", best.mode.width},
+                    {"embree_build_ms", spread(best.build_ms).median},
+                    {"embree_trace_ms", spread(best.trace_ms).median},
+                    {"embree_refit_ms", spread(refit.build_ms).median},
+                    {"embree_refit_trace_ms", spread(refit.trace_ms).median},
+                    {"ratio_embree", against.median},
+                    {"ratio_embree_low", against.low},
+                    {"ratio_embree_high", against.high},
+                    {"ratio_embree_refit", ratio(refit.total_ms, c.total_ms).median},
+                    {"rounds", c.total_ms.size()}});
+}
+
+nlohmann::json RowRun::metrics(const Contender& c) const {
+    nlohmann::json metrics = {{"tests_per_ray", c.work.tests_per_ray},
+                              {"pairs_peak", c.work.peak_pairs},
+                              {"bytes_peak", c.tracer->bytes()},
+                              {"launches", c.work.launches},
+                              {"embree_same_distance", c.differences.same_distance},
+                              {"embree_edge", c.differences.edge},
+                              {"embree_grazing", c.differences.grazing},
+                              {"embree_other", c.differences.other},
+                              {"mismatches", c.mismatches}};
+    if (c.mismatches == 0) put_times(c, metrics);
+    return metrics;
 }
 
 std::vector<Case> RowRun::cases() const {

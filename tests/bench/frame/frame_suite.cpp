@@ -53,6 +53,11 @@ void list(const Selection& selection) {
     print_all(selection.builds);
 }
 
+void print_wrong(const Case& c) {
+    fmt::print("{}\n    not timed: {} mismatches\n", c.name,
+               c.metrics["mismatches"].get<size_t>());
+}
+
 void print_build(const Case& c) {
     const nlohmann::json& m = c.metrics;
     fmt::print("{}\n    build {:.2f} ms, copy {:.2f} ms: {:.2f} times; {} mismatches\n", c.name,
@@ -126,7 +131,7 @@ std::vector<Case> FrameSuite::run(const Run& run) {
         const std::vector<Case> measured =
             measure_row(run.device, *scene, row, columns, settings);
         if (measured.empty()) fmt::print("{}: the scene has no such rays\n", row.name());
-        for (const Case& c : measured) print_frame(c);
+        for (const Case& c : measured) c.ok ? print_frame(c) : print_wrong(c);
         cases.insert(cases.end(), measured.begin(), measured.end());
     }
     for (const auto& [row, columns] : selection.builds) {
@@ -135,7 +140,7 @@ std::vector<Case> FrameSuite::run(const Run& run) {
         for (const Column& column : columns) {
             cases.push_back(
                 measure_build(run.device, *scene, row, column, run.quick ? 21 : 51));
-            print_build(cases.back());
+            cases.back().ok ? print_build(cases.back()) : print_wrong(cases.back());
         }
     }
     const std::vector<Case> summaries = summarize(cases);
