@@ -12,11 +12,13 @@
  * neighbour, or on the edge (a hit) for both. No crack, also at vertices; no double-precision
  * fallback.
  *
- * The plane is scaled by a power of two, so that the farthest corner is 1 to 2 away: exact, and
- * the products neither overflow nor drown, whatever the scene's unit. A product that underflows
- * errs by 2^-126 (flushed or denormal; monotonically, so signs are never reversed, but 0 may
- * come of it): with at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles
- * are seen edge-on.
+ * Triangles far from unit size are scaled, in that plane, by a power of two: exact, and the
+ * products neither overflow nor drown, whatever the scene's unit. Shearing at most doubles the
+ * size, so that a ray that hits sees corners no farther away than 2^22; products that overflow
+ * belong to rays far outside, and end in NaN, a miss. A product that underflows errs by 2^-126
+ * (flushed or denormal; monotonically, so signs are never reversed, but 0 may come of it): with
+ * at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles, less than 2^-62 of
+ * their size squared, are seen edge-on.
  *
  * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
  * vertex - origin): subtracting the origin u, slope 6u (1 when division is exact), product u,
@@ -105,53 +107,76 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
         ay = pick_y(r, dx, dy, dz) - (r).slope_y * az;            \
     } while (0)
 
-/* The power of two that brings the largest of these to 1 .. 2; from the exponent's bits, kept
- * away from those of 0 and infinity. */
-static floatv scale_to_one(floatv a, floatv b, floatv c, floatv d, floatv e, floatv f)
+/* Corners, seen from the ray: x and y across it, z along it. */
+typedef struct rsh_seen {
+    floatv ax, ay, az, bx, by, bz, cx, cy, cz;
+} rsh_seen;
+
+static rsh_seen see_corners(rsh_sheared r, const floatv* corner)
 {
-    const floatv largest = fmax(fmax(fmax(fabs(a), fabs(b)), fmax(fabs(c), fabs(d))),
-                                fmax(fabs(e), fabs(f)));
-    const intv exponent = as_intv(largest) & 0x7f800000;
-    return as_floatv(0x7f000000 - min(exponent, (intv)(0x7e800000)));
+    rsh_seen s;
+    SHEAR_CORNER(r, corner[0], corner[1], corner[2], s.ax, s.ay, s.az);
+    SHEAR_CORNER(r, corner[3], corner[4], corner[5], s.bx, s.by, s.bz);
+    SHEAR_CORNER(r, corner[6], corner[7], corner[8], s.cx, s.cy, s.cz);
+    return s;
 }
 
-/* corner[3 * i + axis]: one triangle per lane, or one for all. NaN anywhere ends in a miss. */
-static rsh_hits intersect(rsh_sheared r, const floatv* corner)
+/* 1 for triangles of 2^-20 to 2^20 in size, the larger component of two edges; otherwise the
+ * power of two that brings the size to 1 .. 2; from the exponent's bits, kept away from those of
+ * 0 and infinity. */
+static floatv triangle_scale(const floatv* corner)
 {
-    floatv ax, ay, az, bx, by, bz, cx, cy, cz;
-    SHEAR_CORNER(r, corner[0], corner[1], corner[2], ax, ay, az);
-    SHEAR_CORNER(r, corner[3], corner[4], corner[5], bx, by, bz);
-    SHEAR_CORNER(r, corner[6], corner[7], corner[8], cx, cy, cz);
+    floatv size = (floatv)(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        size = fmax(size, fmax(fabs(corner[3 + axis] - corner[axis]),
+                               fabs(corner[6 + axis] - corner[axis])));
+    const intv exponent = as_intv(size) & 0x7f800000;
+    const floatv power = as_floatv(0x7f000000 - min(exponent, (intv)(0x7e800000)));
+    return select(power, (floatv)(1.0f), (size >= (floatv)(0x1p-20f)) & (size <= (floatv)(0x1p20f)));
+}
 
-    const floatv scale = scale_to_one(ax, ay, bx, by, cx, cy);
-    ax *= scale;
-    ay *= scale;
-    bx *= scale;
-    by *= scale;
-    cx *= scale;
-    cy *= scale;
-    const floatv U = difference_of_products(cx, by, cy, bx);
-    const floatv V = difference_of_products(ax, cy, ay, cx);
-    const floatv W = difference_of_products(bx, ay, by, ax);
+static void scale_across(rsh_seen* s, floatv scale)
+{
+    s->ax *= scale;
+    s->ay *= scale;
+    s->bx *= scale;
+    s->by *= scale;
+    s->cx *= scale;
+    s->cy *= scale;
+}
+
+/* Where the rays cut the triangles that they see, once scaled. NaN anywhere ends in a miss. */
+static rsh_hits cut(rsh_sheared r, rsh_seen s)
+{
+    rsh_hits hits;
+    const floatv U = difference_of_products(s.cx, s.by, s.cy, s.bx);
+    const floatv V = difference_of_products(s.ax, s.cy, s.ay, s.cx);
+    const floatv W = difference_of_products(s.bx, s.ay, s.by, s.ax);
     const floatv zero = (floatv)(0.0f);
-    const intv inside = ((U >= zero) & (V >= zero) & (W >= zero)) |
-                        ((U <= zero) & (V <= zero) & (W <= zero));
-
     const floatv area = U + V + W;
+    hits.is_hit = (((U >= zero) & (V >= zero) & (W >= zero)) |
+                   ((U <= zero) & (V <= zero) & (W <= zero))) &
+                  (fabs(area) >= (floatv)(0x1p-102f));
+    hits.t = hits.u = hits.v = zero;
+    if (!any_lane(hits.is_hit)) return hits;
+
     const floatv inverse = (floatv)(1.0f) / area;
-    const floatv b = V * inverse; /* weights of the corners */
-    const floatv c = W * inverse;
-    const floatv depth = U * inverse * az + b * bz + c * cz;
+    hits.u = V * inverse; /* weights of the corners */
+    hits.v = W * inverse;
+    const floatv depth = U * inverse * s.az + hits.u * s.bz + hits.v * s.cz;
     const intv is_ahead = ((depth >= zero) & (r.inverse_z > zero)) |
                           ((depth <= zero) & (r.inverse_z < zero));
-
-    rsh_hits hits;
     hits.t = depth * r.inverse_z;
-    hits.u = b;
-    hits.v = c;
-    hits.is_hit = inside & (fabs(area) >= (floatv)(0x1p-102f)) & is_ahead &
-                  (hits.t >= r.tmin) & (hits.t <= r.tmax);
+    hits.is_hit &= is_ahead & (hits.t >= r.tmin) & (hits.t <= r.tmax);
     return hits;
+}
+
+/* corner[3 * i + axis]: one triangle per lane, or one for all. */
+static rsh_hits intersect(rsh_sheared r, const floatv* corner)
+{
+    rsh_seen seen = see_corners(r, corner);
+    scale_across(&seen, triangle_scale(corner));
+    return cut(r, seen);
 }
 
 static rsh_best no_hits(void)

@@ -16,4 +16,15 @@ typedef struct rsh_mesh {
 } rsh_mesh;
 RSH_ASSERT_SIZE(rsh_mesh, 32);
 
+/* Boxes of a scene: level 0 those of triangles, level l + 1 those around the groups of 16 of
+ * level l; the topmost level, 1 at least, is one group. 2^28 triangles fill 7 levels. */
+#define RSH_MAX_BOX_LEVELS 7
+typedef struct rsh_box_levels {
+    rsh_uint count;
+    rsh_uint boxes[RSH_MAX_BOX_LEVELS];
+    rsh_uint first_group[RSH_MAX_BOX_LEVELS];
+    rsh_uint group_count; /* of all levels */
+} rsh_box_levels;
+RSH_ASSERT_SIZE(rsh_box_levels, 64);
+
 #endif

@@ -3,3 +3,4 @@
 #include "spawn.cl"
 #include "spawn_shadow.cl"
 #include "shade.cl"
+#include "clear_colour.cl"

@@ -11,4 +11,3 @@
 #include "resolve.cl"
 #include "reduce_chunk.cl"
 #include "reduce_lookback.cl"
-#include "clear_colour.cl"

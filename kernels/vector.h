@@ -33,7 +33,46 @@ typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define as_uintv RSH_JOIN(as_uint, RSH_WIDTH)
 #define store_lanes(value, array) RSH_JOIN(vstore, RSH_WIDTH)(value, 0, array)
 #define load_lanes(array) RSH_JOIN(vload, RSH_WIDTH)(0, array)
-#define any_lane(mask) any(mask)
+#define any_lane(mask) (RSH_LANE_BITS(mask) != 0)
+#endif
+
+/* Bit i: lane i of a mask. What a CPU does in one instruction takes a tree of them in plain
+ * OpenCL C; clang, and so PoCL, gives its target's own to kernels as well. */
+#ifdef __has_builtin
+#if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_cvtd2mask512) && defined(__AVX512DQ__)
+#define RSH_LANE_BITS(mask) ((uint)(ushort)__builtin_ia32_cvtd2mask512(mask))
+#elif RSH_WIDTH == 8 && __has_builtin(__builtin_ia32_movmskps256) && defined(__AVX__)
+#define RSH_LANE_BITS(mask) ((uint)__builtin_ia32_movmskps256(as_float8(mask)))
+#endif
+#endif
+#ifndef RSH_LANE_BITS
+#define RSH_LANE_BITS(mask) lane_bits_by_tree(mask)
+#if RSH_WIDTH == 1
+static uint lane_bits_by_tree(intv mask) { return mask != 0; }
+#elif RSH_WIDTH == 4
+static uint lane_bits_by_tree(int4 mask)
+{
+    const int4 bits = mask & (int4)(1, 2, 4, 8);
+    const int2 two = bits.lo | bits.hi;
+    return (uint)(two.x | two.y);
+}
+#else
+static uint lane_bits_of_8(int8 mask)
+{
+    const int8 bits = mask & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
+    const int4 four = bits.lo | bits.hi;
+    const int2 two = four.lo | four.hi;
+    return (uint)(two.x | two.y);
+}
+#if RSH_WIDTH == 8
+static uint lane_bits_by_tree(int8 mask) { return lane_bits_of_8(mask); }
+#else
+static uint lane_bits_by_tree(int16 mask)
+{
+    return lane_bits_of_8(mask.lo) | lane_bits_of_8(mask.hi) << 8;
+}
+#endif
+#endif
 #endif
 
 #endif

@@ -27,7 +27,7 @@ public:
 
     void render() {
         rasterize(recorder_, memory_.rasterize());
-        if (memory_.bound().spheres) bound(recorder_, memory_.bound());
+        if (memory_.bound().bounds) bound(recorder_, memory_.bound());
         begin_image();
         shade_wave(0);
         spawn_waves(0);
@@ -74,7 +74,7 @@ private:
 
     void begin_image() {
         clear_active_count();
-        clear_colour(recorder_, memory_.hits(0), memory_.pixels(), desc_.colour,
+        clear_colour(recorder_, *desc_.scene, memory_.hits(0), memory_.pixels(), desc_.colour,
                      memory_.active_count());
         count_later(
             [](rsh_statistics& sums, const cl_uint* count) { sums.active_rays[0] += *count; });

@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include "bounds/bound.hpp"
+#include "bounds/levels.hpp"
 #include "core/check.hpp"
 #include "engines/engine.hpp"
 #include "features.hpp"
@@ -186,7 +188,7 @@ rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
 
 rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc, rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto&, const auto& checked) {
-        return rsh::sizes_of(size_t{checked.geometry.triangle_count} * 16, 0);
+        return rsh::sizes_of(rsh::find_bound(checked.bound).scene_bytes(checked.geometry), 0);
     });
 }
 
@@ -198,9 +200,10 @@ rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_boun
 rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes,
                            rsh_levels* levels) {
     return rsh::query(context, desc, sizes, [levels](const auto&, const auto& checked) {
-        const rsh_levels shape = rsh::levels_of(checked.width, checked.height);
+        const rsh::Bound& bound = rsh::find_bound(checked.bound);
+        const rsh_levels shape = bound.levels(checked.width, checked.height);
         if (levels) *levels = shape;
-        return rsh::sizes_of(rsh::node_bytes(shape), 0);
+        return rsh::sizes_of(bound.node_bytes(shape), 0);
     });
 }
 
@@ -213,9 +216,10 @@ rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc
                               rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
         const rsh::Engine& engine = rsh::find_engine(checked.engine);
-        const cl_ulong rays = rsh::ray_count(rsh::levels_of(checked.width, checked.height));
-        return rsh::sizes_of(rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
-                             engine.scratch(own, checked, rsh::spheres_of(checked)).bytes());
+        const cl_ulong rays = rsh::ray_count(checked.width, checked.height);
+        return rsh::sizes_of(
+            rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
+            engine.scratch(own, checked, rsh::scene_bounds_of(checked)).bytes());
     });
 }
 
@@ -291,6 +295,17 @@ const char* rsh_engine_name(cl_uint engine) {
     return rsh::name_of(rsh::engines(), engine);
 }
 
+cl_uint rsh_engine_bound(cl_uint engine) {
+    for (const rsh::Engine* known : rsh::engines())
+        if (known->id() == engine || engine == RSH_ENGINE_DEFAULT)
+            return known->preferred_bound();
+    return RSH_BOUND_DEFAULT;
+}
+
+const char* rsh_bound_name(cl_uint bound) {
+    return rsh::name_of(rsh::bounds(), bound);
+}
+
 rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy) {
     return rsh::guarded([&] {
         rsh::require_not_null(strategy, "strategy");
@@ -302,6 +317,13 @@ rsh_status rsh_engine_from_name(const char* name, cl_uint* engine) {
     return rsh::guarded([&] {
         rsh::require_not_null(engine, "engine");
         *engine = rsh::id_of(rsh::engines(), name);
+    });
+}
+
+rsh_status rsh_bound_from_name(const char* name, cl_uint* bound) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(bound, "bound");
+        *bound = rsh::id_of(rsh::bounds(), name);
     });
 }
 

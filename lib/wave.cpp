@@ -1,7 +1,7 @@
 #include "wave.hpp"
 
+#include "bounds/bound.hpp"
 #include "engines/engine.hpp"
-#include "passes/build.hpp"
 #include "passes/rasterize.hpp"
 #include "pipeline.hpp"
 
@@ -32,6 +32,11 @@ rsh_rasterize_desc rasterize_of(const rsh_frame_desc& desc) {
     return pass;
 }
 
+const Bound& bound_of(const rsh_frame_desc& desc) {
+    if (desc.bound != RSH_BOUND_DEFAULT) return find_bound(desc.bound);
+    return find_bound(find_engine(desc.engine).preferred_bound());
+}
+
 rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     rsh_traverse_desc pass = {};
     pass.struct_size = sizeof pass;
@@ -39,6 +44,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     pass.width = desc.width;
     pass.height = desc.height;
     pass.engine = desc.engine;
+    pass.bound = bound_of(desc).id();
     pass.strategy = desc.strategy;
     pass.budget = desc.budget;
     return pass;
@@ -46,10 +52,12 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
 
 // What rays below the camera's need, and only if there are any.
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
-    layout.add("spheres", size_t{desc.scene->geometry.triangle_count} * 16);
-    layout.add("nodes", node_bytes(levels_of(desc.width, desc.height)));
+    const Bound& bound = bound_of(desc);
+    layout.add("bounds", bound.scene_bytes(desc.scene->geometry));
+    layout.add("nodes", bound.node_bytes(bound.levels(desc.width, desc.height)));
     const Engine& engine = find_engine(desc.engine);
-    layout.add("traverse", engine.scratch(context, traverse_of(desc), Spheres::given).bytes());
+    layout.add("traverse",
+               engine.scratch(context, traverse_of(desc), SceneBounds::given).bytes());
 }
 
 }  // namespace
@@ -92,17 +100,19 @@ rsh_rasterize_desc FrameMemory::rasterize() const {
 }
 
 rsh_bound_desc FrameMemory::bound() const {
-    return {sizeof(rsh_bound_desc), desc_.scene->geometry, scratch_["spheres"]};
+    return {sizeof(rsh_bound_desc), desc_.scene->geometry, bound_of(desc_).id(),
+            scratch_["bounds"]};
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
     return {sizeof(rsh_build_desc), at("rays", bounce), desc_.width,
-            desc_.height,           scratch_["nodes"],  0};
+            desc_.height,           scratch_["nodes"],  0,
+            bound_of(desc_).id()};
 }
 
 rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
     rsh_traverse_desc pass = traverse_of(desc_);
-    pass.spheres = scratch_["spheres"];
+    pass.bounds = scratch_["bounds"];
     pass.rays = at("rays", bounce);
     pass.nodes = scratch_["nodes"];
     pass.hits = at("hits", bounce);
@@ -153,7 +163,8 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
             desc_.width,
             desc_.height,
             scratch_["nodes"],
-            desc_.scene->positional_lights >> light & 1};
+            desc_.scene->positional_lights >> light & 1,
+            bound_of(desc_).id()};
 }
 
 rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {

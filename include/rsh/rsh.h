@@ -169,6 +169,9 @@ typedef struct rsh_statistics {
                                                   budget was full; what came below them is
                                                   counted nowhere                            */
     cl_ulong peak_pairs;                       /* longest stream that left a reduction       */
+    cl_ulong node_tests;                       /* bounds of triangles, or of runs of them,
+                                                  tested against nodes or single rays        */
+    cl_ulong ray_tests;                        /* triangles intersected with rays            */
     cl_ulong active_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: rays per bounce; [0]: pixels with
                                                   a primary hit                              */
     cl_ulong shadow_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: shadow rays cast at the hits of
@@ -281,17 +284,31 @@ RSH_API rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
                                  const rsh_rasterize_desc* desc, cl_uint wait_count,
                                  const cl_event* wait_list, cl_event* done);
 
-/* ---- spheres around the triangles ---- */
+/* ---- bounds ---- */
+
+/* The shape that encloses rays in a node, and what it is tested against on the scene's side. */
+enum {
+    RSH_BOUND_DEFAULT = 0, /* box */
+    RSH_BOUND_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
+                              around the triangles                                            */
+    RSH_BOUND_BOX = 2      /* a box of origins and a box of directions, against boxes around
+                              triangles and around runs of them                               */
+};
 
 typedef struct rsh_bound_desc {
     size_t struct_size;
     rsh_geometry geometry;
-    cl_mem spheres; /* out: triangle_count x float4, centre and radius [world]; radius -1: the
-                       triangle is never hit */
+    cl_uint bound; /* RSH_BOUND_... */
+    cl_mem bounds; /* out: rsh_sizes.output_bytes.
+                      cone: triangle_count x float4, centre and radius [world]; radius -1: the
+                            triangle is never hit.
+                      box:  rsh_box_group of 16 triangles each, then of 16 groups each, and so
+                            on up to a single group                                           */
 } rsh_bound_desc;
 
-/* Bounds every triangle by a sphere, rounded outwards. One linear pass; once per frame, shared
- * by all traversals of that frame. output_bytes of the query: 16 per triangle. */
+/* Bounds the triangles, rounded outwards. Linear in the triangles, which are taken as they come:
+ * nothing is sorted or searched. Once per frame, shared by all traversals of that frame.
+ * output_bytes of the query: cone 16, box about 26 per triangle. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
@@ -305,22 +322,23 @@ typedef struct rsh_build_desc {
     cl_mem rays;      /* in: width * height x rsh_ray                                         */
     cl_uint width;    /* rays in screen order, row by row; a list of `width` rays: height 1 */
     cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
-    cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad       */
+    cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad (cone),
+                         rsh_node_group (box)                                                 */
     cl_uint converging; /* 1: the rays run towards one point, where t = 1, as shadow rays of a
                          point light do; then nodes bound them from there, backwards, which
                          leaves far fewer pairs. Rays with tmax above 1 are found all the same,
                          slowly. 0: nodes bound them from their origins */
+    cl_uint bound;    /* RSH_BOUND_... */
 } rsh_build_desc;
 
 /* Fills *levels (may be NULL) and the sizes. */
 RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc,
                                    rsh_sizes* sizes, rsh_levels* levels);
 
-/* Builds the hierarchy over the rays, bottom-up, one pass per level (Roger et al. 2007, step
- * 2).
+/* Builds the hierarchy over the rays, bottom-up (Roger et al. 2007, step 2).
  *
  * Effect:  every node contains all active rays below it, rounding included.
- * Cost:    O(rays); one launch per level; 32 bytes per ray at level 0, 11 above. */
+ * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes. */
 RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
                              const rsh_build_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -329,9 +347,13 @@ RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
 
 /* How to traverse. */
 enum {
-    RSH_ENGINE_DEFAULT = 0,
-    RSH_ENGINE_PAPER = 1,      /* breadth first, a stream of pairs, a reduction per level     */
-    RSH_ENGINE_BRUTE_FORCE = 2 /* every ray against every triangle: the yardstick             */
+    RSH_ENGINE_DEFAULT = 0,        /* tiles                                                   */
+    RSH_ENGINE_PAPER_FAITHFUL = 1, /* breadth first, a stream of pairs, a reduction per level;
+                                      every triangle starts at the root; bound: cone          */
+    RSH_ENGINE_BRUTE_FORCE = 2,    /* every ray against every triangle: the yardstick; takes
+                                      no bounds and no nodes                                  */
+    RSH_ENGINE_TILES = 3           /* each tile of 256 rays goes through the scene front to
+                                      back and stops behind its last hit; bound: box          */
 };
 
 /* How to reduce a stream; see rsh_reduce. */
@@ -367,7 +389,7 @@ typedef int (*rsh_progress)(cl_uint batch, cl_uint batch_count, void* user);
 typedef struct rsh_traverse_desc {
     size_t struct_size;
     rsh_geometry geometry;
-    cl_mem spheres;        /* in: from rsh_bound; NULL: made in scratch, which the query counts,
+    cl_mem bounds;         /* in: from rsh_bound; NULL: made in scratch, which the query counts,
                               so that there it must be NULL, or not, as in the call           */
     cl_mem rays;           /* in: width * height x rsh_ray                                    */
     cl_mem nodes;          /* in: from rsh_build over these rays; unused by brute force       */
@@ -379,8 +401,9 @@ typedef struct rsh_traverse_desc {
     cl_uint occlusion_bit; /* any: 0 .. 31: the bit that is set when the ray hits something;
                               other bits, and rays that hit nothing, stay as they are         */
     cl_uint engine;        /* RSH_ENGINE_... */
-    cl_uint strategy;      /* RSH_STRATEGY_... */
-    size_t budget;         /* bytes for the pair streams; 0: enough for most scenes, at least
+    cl_uint bound;         /* RSH_BOUND_... of `bounds` and `nodes`; one that the engine takes */
+    cl_uint strategy;      /* RSH_STRATEGY_...; paper                                         */
+    size_t budget;         /* paper: bytes for the pair streams; 0: enough for most scenes, at least
                               RSH_MIN_BUDGET otherwise. Changes time, never a hit             */
     cl_mem scratch;
     rsh_progress progress; /* may be NULL */
@@ -394,12 +417,15 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
 
 /* Intersects scene and hierarchy top-down (Roger et al. 2007, steps 3 and 4).
  *
- * Effect:  all triangles start as pairs with the root; per level, each pair is tested against
- *          the four children and the survivors are packed; survivors at level 0 are
+ * Effect:  paper: all triangles start as pairs with the root; per level, each pair is tested
+ *          against the four children and the survivors are packed; survivors at level 0 are
  *          intersected. Triangles are worked off in batches that fit the budget. Pairs that a
  *          level cannot hold are finished depth first by the work-item that meets them, so that
  *          no stream overflows, no pair is lost and no count is read back.
- * Cost:    O(triangles + pairs); 1 + launches per level * levels, per batch. */
+ *          tiles: a work-item takes a tile of 256 rays down the boxes of the scene, the nearest
+ *          first; what lies behind the tile's farthest hit is never looked at.
+ * Cost:    paper: O(triangles + pairs); 1 + launches per level * levels, per batch.
+ *          tiles: one launch; memory beyond bounds, nodes and hits: none. */
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
                                 const cl_event* wait_list, cl_event* done);
@@ -481,6 +507,7 @@ typedef struct rsh_frame_desc {
     float min_weight;     /* secondary rays that weigh no more are left out; 0: only those
                              that cannot matter                                               */
     cl_uint engine;       /* as in rsh_traverse_desc */
+    cl_uint bound;        /* RSH_BOUND_DEFAULT: what suits the engine */
     cl_uint strategy;
     size_t budget;
     cl_mem colour;        /* out: width * height x float4, linear rgb; a = 1 where it sees
@@ -570,12 +597,18 @@ typedef struct rsh_selftest {
 RSH_API rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
                                        rsh_selftest* report);
 
-/* Name of a strategy ("chunk") or engine ("paper"), and its value for a name; NULL and
- * RSH_INVALID_VALUE when there is none. */
+/* The RSH_BOUND_... that an engine prefers, which rsh_bound and rsh_build must be told as well;
+ * RSH_BOUND_DEFAULT for one that takes none, or is none. */
+RSH_API cl_uint rsh_engine_bound(cl_uint engine);
+
+/* Name of a strategy ("chunk"), engine ("tiles") or bound ("box"), and its value for a name;
+ * NULL and RSH_INVALID_VALUE when there is none. */
 RSH_API const char* rsh_strategy_name(cl_uint strategy);
 RSH_API const char* rsh_engine_name(cl_uint engine);
+RSH_API const char* rsh_bound_name(cl_uint bound);
 RSH_API rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy);
 RSH_API rsh_status rsh_engine_from_name(const char* name, cl_uint* engine);
+RSH_API rsh_status rsh_bound_from_name(const char* name, cl_uint* bound);
 
 #ifdef __cplusplus
 }

@@ -55,7 +55,8 @@ void check_shape(const rsh_frame_desc& desc) {
     require(desc.bounces <= RSH_MAX_LEVELS, "bounces", desc.bounces,
             "at most " + std::to_string(RSH_MAX_LEVELS));
     check_min_weight(desc.min_weight);
-    find_engine(desc.engine);
+    const Engine& engine = find_engine(desc.engine);
+    if (desc.bound != RSH_BOUND_DEFAULT) check_bound(engine, desc.bound);
     find_strategy(desc.strategy);
     check_budget(desc.budget);
 }

@@ -1,7 +1,8 @@
 // check_rays.cpp - calls over given rays: build, traverse, spawn, shade.
+#include "bounds/bound.hpp"
+#include "bounds/levels.hpp"
 #include "core/check_fields.hpp"
 #include "engines/engine.hpp"
-#include "passes/build.hpp"
 #include "reduce/strategy.hpp"
 
 namespace rsh {
@@ -33,18 +34,21 @@ void check_hit_rays(const Context& context, cl_uint ray_count, cl_mem rays, cl_m
 void check_shape(const rsh_build_desc& desc) {
     check_ray_grid(desc.width, desc.height);
     require(desc.converging <= 1, "converging", desc.converging, "0 or 1");
+    find_bound(desc.bound);
 }
 
 void check_buffers(const Context& context, const rsh_build_desc& desc) {
-    const rsh_levels levels = levels_of(desc.width, desc.height);
-    check_buffer(context, "rays", desc.rays, ray_count(levels) * sizeof(rsh_ray));
-    check_buffer(context, "nodes", desc.nodes, node_bytes(levels));
+    const Bound& bound = find_bound(desc.bound);
+    check_buffer(context, "rays", desc.rays,
+                 ray_count(desc.width, desc.height) * sizeof(rsh_ray));
+    check_buffer(context, "nodes", desc.nodes,
+                 bound.node_bytes(bound.levels(desc.width, desc.height)));
 }
 
 void check_shape(const rsh_traverse_desc& desc) {
     check_shape(desc.geometry);
     check_ray_grid(desc.width, desc.height);
-    find_engine(desc.engine);
+    check_bound(find_engine(desc.engine), desc.bound);
     find_strategy(desc.strategy);
     require(desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ANY, "query", desc.query,
             "RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
@@ -55,19 +59,21 @@ void check_shape(const rsh_traverse_desc& desc) {
 
 void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     check_buffers(context, desc.geometry);
-    const rsh_levels levels = levels_of(desc.width, desc.height);
-    const cl_ulong rays = ray_count(levels);
+    const cl_ulong rays = ray_count(desc.width, desc.height);
     const Engine& engine = find_engine(desc.engine);
     check_buffer(context, "rays", desc.rays, rays * sizeof(rsh_ray));
-    check_optional(context, "spheres", desc.spheres,
-                   cl_ulong{desc.geometry.triangle_count} * 16);
-    if (engine.needs_nodes()) check_buffer(context, "nodes", desc.nodes, node_bytes(levels));
+    if (!engine.bounds().empty()) {
+        const Bound& bound = find_bound(desc.bound);
+        check_optional(context, "bounds", desc.bounds, bound.scene_bytes(desc.geometry));
+        check_buffer(context, "nodes", desc.nodes,
+                     bound.node_bytes(bound.levels(desc.width, desc.height)));
+    }
     if (desc.query == RSH_QUERY_ANY)
         check_buffer(context, "occlusion", desc.occlusion, rays * 4);
     else
         check_buffer(context, "hits", desc.hits, rays * sizeof(rsh_hit));
     check_scratch(context, desc.scratch,
-                  engine.scratch(context, desc, spheres_of(desc)).bytes());
+                  engine.scratch(context, desc, scene_bounds_of(desc)).bytes());
 }
 
 void check_shape(const rsh_spawn_desc& desc) {

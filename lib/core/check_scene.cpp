@@ -1,4 +1,5 @@
 // check_scene.cpp - triangles, materials, lights and images.
+#include "bounds/bound.hpp"
 #include "core/check_fields.hpp"
 
 namespace rsh {
@@ -87,11 +88,13 @@ void check_buffers(const Context& context, const rsh_scene& scene) {
 
 void check_shape(const rsh_bound_desc& desc) {
     check_shape(desc.geometry);
+    find_bound(desc.bound);
 }
 
 void check_buffers(const Context& context, const rsh_bound_desc& desc) {
     check_buffers(context, desc.geometry);
-    check_buffer(context, "spheres", desc.spheres, cl_ulong{desc.geometry.triangle_count} * 16);
+    check_buffer(context, "bounds", desc.bounds,
+                 find_bound(desc.bound).scene_bytes(desc.geometry));
 }
 
 }  // namespace rsh

@@ -1,6 +1,6 @@
 #include "engines/brute_force.hpp"
 
-#include "passes/build.hpp"
+#include "bounds/levels.hpp"
 #include "passes/intersect.hpp"
 #include "passes/mesh.hpp"
 
@@ -11,14 +11,15 @@ constexpr cl_uint kVectorsPerItem = 4;  // RSH_BLOCKS of brute_force.cl
 
 }  // namespace
 
-Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&, Spheres) const {
+Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&,
+                           SceneBounds) const {
     return Layout(context.caps.alignment);
 }
 
 void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     const Context& context = recorder.context();
-    const cl_uint rays = static_cast<cl_uint>(ray_count(levels_of(desc.width, desc.height)));
+    const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
     const size_t rays_per_item = size_t{kVectorsPerItem} * context.vector_width;
     const size_t group = context.vector_width > 1 ? 1 : context.caps.group_size;
     recorder.launch(RSH_STAGE_INTERSECT, {"brute_force", "rsh_brute_force"},

@@ -10,9 +10,9 @@ class BruteForce final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_BRUTE_FORCE; }
     const char* name() const noexcept override { return "brute_force"; }
-    bool needs_nodes() const noexcept override { return false; }
+    std::vector<cl_uint> bounds() const override { return {}; }
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                   Spheres spheres) const override;
+                   SceneBounds bounds) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "cl/recorder.hpp"
+#include "cl/scratch.hpp"
 
 namespace rsh {
 
-// Whether the triangles' spheres are the caller's or the traversal's own.
-enum class Spheres { given, made };
+// Whether the triangles' bounds are the caller's or the traversal's own.
+enum class SceneBounds { given, made };
 
-inline Spheres spheres_of(const rsh_traverse_desc& desc) {
-    return desc.spheres ? Spheres::given : Spheres::made;
+inline SceneBounds scene_bounds_of(const rsh_traverse_desc& desc) {
+    return desc.bounds ? SceneBounds::given : SceneBounds::made;
 }
 
 class Engine {
@@ -20,14 +21,27 @@ public:
     virtual ~Engine() = default;
     virtual cl_uint id() const noexcept = 0;        // RSH_ENGINE_...
     virtual const char* name() const noexcept = 0;  // command lines, logs, benchmarks
-    virtual bool needs_nodes() const noexcept = 0;  // rsh_traverse_desc::nodes
+    // The bounds that it takes, the preferred one first; none: it needs neither bounds nor
+    // nodes.
+    virtual std::vector<cl_uint> bounds() const = 0;
+    cl_uint preferred_bound() const {
+        const std::vector<cl_uint> taken = bounds();
+        return taken.empty() ? cl_uint{RSH_BOUND_DEFAULT} : taken.front();
+    }
     // Reads none of the descriptor's buffers, not even whether they are there.
     virtual Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                           Spheres spheres) const = 0;
+                           SceneBounds bounds) const = 0;
     virtual void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const = 0;
 };
 
 const std::vector<const Engine*>& engines();
 const Engine& find_engine(cl_uint id);  // throws; RSH_ENGINE_DEFAULT: the quickest
+
+// A bound that the engine does not take is refused.
+void check_bound(const Engine& engine, cl_uint bound);
+
+// Room for the scene's bounds, and their making, where the caller gives none.
+void reserve_bounds(Layout& scratch, const rsh_traverse_desc& desc, SceneBounds bounds);
+cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch);
 
 }  // namespace rsh

@@ -1,14 +1,18 @@
+#include "bounds/bound.hpp"
 #include "core/error.hpp"
 #include "engines/brute_force.hpp"
-#include "engines/paper.hpp"
+#include "engines/paper_faithful.hpp"
+#include "engines/tiles.hpp"
+#include "passes/bound.hpp"
 
 namespace rsh {
 
 // The first one is the default.
 const std::vector<const Engine*>& engines() {
-    static const Paper paper;
+    static const Tiles tiles;
+    static const PaperFaithful paper_faithful;
     static const BruteForce brute_force;
-    static const std::vector<const Engine*> all = {&paper, &brute_force};
+    static const std::vector<const Engine*> all = {&tiles, &paper_faithful, &brute_force};
     return all;
 }
 
@@ -18,6 +22,33 @@ const Engine& find_engine(cl_uint id) {
         if (engine->id() == id) return *engine;
     throw Error(RSH_INVALID_VALUE,
                 "engine: is " + std::to_string(id) + ", must be RSH_ENGINE_...");
+}
+
+void check_bound(const Engine& engine, cl_uint bound) {
+    const cl_uint id = find_bound(bound).id();
+    std::string taken;
+    for (const cl_uint own : engine.bounds()) {
+        if (own == id) return;
+        taken += (taken.empty() ? "" : " or ") + std::string(find_bound(own).name());
+    }
+    if (taken.empty()) return;
+    throw Error(RSH_INVALID_VALUE, std::string("bound: is ") + find_bound(bound).name() +
+                                       ", must be " + taken + " with engine " + engine.name());
+}
+
+void reserve_bounds(Layout& scratch, const rsh_traverse_desc& desc, SceneBounds bounds) {
+    if (bounds == SceneBounds::made)
+        scratch.add("bounds", find_bound(desc.bound).scene_bytes(desc.geometry));
+}
+
+cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch) {
+    rsh_bound_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.geometry = desc.geometry;
+    pass.bound = desc.bound;
+    pass.bounds = scratch["bounds"];
+    bound(recorder, pass);
+    return pass.bounds;
 }
 
 }  // namespace rsh

@@ -1,4 +1,4 @@
-// bound.hpp - spheres around the triangles (bound.cl).
+// bound.hpp - bounds of the triangles, of any shape.
 #pragma once
 
 #include "cl/recorder.hpp"

@@ -1,10 +1,12 @@
 #include "passes/clear_colour.hpp"
 
+#include "passes/surface_kernel.hpp"
+
 namespace rsh {
 
-void clear_colour(Recorder& recorder, cl_mem hits, cl_uint pixel_count, cl_mem colour,
-                  cl_mem hit_count) {
-    recorder.launch(RSH_STAGE_SHADE, {"program_traverse", "rsh_clear_colour"},
+void clear_colour(Recorder& recorder, const rsh_scene& scene, cl_mem hits, cl_uint pixel_count,
+                  cl_mem colour, cl_mem hit_count) {
+    recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_clear_colour"),
                     recorder.stream_range(), hits, pixel_count, colour, hit_count);
 }
 

@@ -6,7 +6,7 @@
 namespace rsh {
 
 // `hit_count`: one cl_uint that grows by the pixels with a hit.
-void clear_colour(Recorder& recorder, cl_mem hits, cl_uint pixel_count, cl_mem colour,
-                  cl_mem hit_count);
+void clear_colour(Recorder& recorder, const rsh_scene& scene, cl_mem hits, cl_uint pixel_count,
+                  cl_mem colour, cl_mem hit_count);
 
 }  // namespace rsh

@@ -1,6 +1,6 @@
 #include "passes/intersect.hpp"
 
-#include "passes/build.hpp"
+#include "bounds/levels.hpp"
 #include "passes/mesh.hpp"
 
 namespace rsh {
@@ -11,7 +11,7 @@ cl_uint occlusion_mask(const rsh_traverse_desc& desc) {
 
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
     if (desc.query == RSH_QUERY_ANY) return;
-    const cl_ulong rays = ray_count(levels_of(desc.width, desc.height));
+    const cl_ulong rays = ray_count(desc.width, desc.height);
     recorder.fill(RSH_STAGE_OTHER, desc.hits, RSH_NO_HIT, rays * sizeof(rsh_hit));
 }
 
@@ -27,7 +27,7 @@ void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
 void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {
     if (desc.query == RSH_QUERY_ANY) return;
     const rsh_geometry& geometry = desc.geometry;
-    const cl_uint rays = static_cast<cl_uint>(ray_count(levels_of(desc.width, desc.height)));
+    const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
     recorder.launch(RSH_STAGE_INTERSECT, {"program_traverse", "rsh_resolve"},
                     recorder.range(rays), mesh_of(geometry), geometry.vertices,
                     geometry.indices, desc.rays, rays, desc.hits);

@@ -9,14 +9,14 @@ void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_leve
                const PairStreams& streams, const Batch& batch) {
     recorder.launch(RSH_STAGE_TEST, {"program_traverse", "rsh_traverse_test_root"},
                     recorder.stream_range(), levels, levels.count - 1, batch.first_triangle,
-                    batch.triangle_count, desc.spheres, desc.nodes, streams.candidates,
+                    batch.triangle_count, desc.bounds, desc.nodes, streams.candidates,
                     streams.candidate_count);
 }
 
 void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                 cl_uint level, const PairStreams& streams) {
     recorder.launch(RSH_STAGE_TEST, {"program_traverse", "rsh_traverse_test"},
-                    recorder.stream_range(), levels, level, streams.limit, desc.spheres,
+                    recorder.stream_range(), levels, level, streams.limit, desc.bounds,
                     desc.nodes, streams.pairs, streams.counts, streams.candidates,
                     streams.candidate_count);
 }
@@ -26,7 +26,7 @@ void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_lev
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_TEST, {"program_traverse", "rsh_traverse_walk"},
                     recorder.stream_range(), levels, level, streams.limit, mesh_of(geometry),
-                    geometry.vertices, geometry.indices, desc.rays, desc.spheres, desc.nodes,
+                    geometry.vertices, geometry.indices, desc.rays, desc.bounds, desc.nodes,
                     streams.pairs, streams.counts, desc.hits, desc.occlusion,
                     occlusion_mask(desc));
 }

@@ -49,8 +49,12 @@ private:
         rsh_bound_desc desc{};
         desc.struct_size = sizeof desc;
         desc.geometry = frame_.scene->geometry;
-        spheres_ = device_.buffer(size_t{16} * desc.geometry.triangle_count);
-        desc.spheres = spheres_();
+        desc.bound = bound_of();
+        rsh_sizes sizes{};
+        sizes.struct_size = sizeof sizes;
+        require(rsh_bound_query(device_.rsh(), &desc, &sizes), "rsh_bound_query");
+        bounds_ = device_.buffer(sizes.output_bytes);
+        desc.bounds = bounds_();
         require(rsh_bound(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
                 "rsh_bound");
     }
@@ -139,12 +143,17 @@ private:
         compare_occlusion(rays, occlusion, light, wave.name);
     }
 
+    cl_uint bound_of() const {
+        return frame_.bound ? frame_.bound : rsh_engine_bound(frame_.engine);
+    }
+
     cl::Buffer build(const cl::Buffer& rays) const {
         rsh_build_desc desc{};
         desc.struct_size = sizeof desc;
         desc.rays = rays();
         desc.width = frame_.width;
         desc.height = frame_.height;
+        desc.bound = bound_of();
         rsh_sizes sizes{};
         sizes.struct_size = sizeof sizes;
         require(rsh_build_query(device_.rsh(), &desc, &sizes, nullptr), "rsh_build_query");
@@ -161,7 +170,8 @@ private:
         rsh_traverse_desc desc{};
         desc.struct_size = sizeof desc;
         desc.geometry = frame_.scene->geometry;
-        desc.spheres = spheres_();
+        desc.bounds = bounds_();
+        desc.bound = bound_of();
         desc.rays = rays();
         desc.width = static_cast<cl_uint>(width);
         desc.height = height;
@@ -244,7 +254,7 @@ private:
     rsh_frame_desc frame_;
     uint32_t ray_step_;
     size_t pixels_ = 0;
-    cl::Buffer spheres_;
+    cl::Buffer bounds_;
     CheckResult result_;
 };
 

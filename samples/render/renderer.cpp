@@ -44,6 +44,7 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.bounces = settings_.bounces;
     desc.min_weight = settings_.min_weight;
     desc.engine = settings_.engine;
+    desc.bound = settings_.bound;
     desc.strategy = settings_.strategy;
     desc.budget = settings_.budget;
     desc.colour = colour_();

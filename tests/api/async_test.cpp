@@ -41,7 +41,8 @@ std::vector<rsh_hit> trace_by_events(const cl::CommandQueue& queue, rsh_context 
     const test::ValidCalls valid;
     rsh_build_desc build = valid.build();
     rsh_traverse_desc traverse = valid.traverse();
-    traverse.engine = RSH_ENGINE_PAPER;
+    traverse.engine = RSH_ENGINE_PAPER_FAITHFUL;
+    build.bound = traverse.bound = RSH_BOUND_CONE;
     traverse.nodes = build.nodes;
     cl_event built = nullptr, traced = nullptr;
     RSH_CHECK(rsh_build(rsh, queue(), &build, 0, nullptr, &built));

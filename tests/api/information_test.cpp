@@ -45,11 +45,12 @@ void expect_round_trip(Name name, FromName from_name, cl_uint first, cl_uint las
     EXPECT_EQ(value, 99u);
 }
 
-TEST(Names, OfStrategiesAndEnginesGoBothWays) {
+TEST(Names, OfStrategiesEnginesAndBoundsGoBothWays) {
     expect_round_trip(rsh_strategy_name, rsh_strategy_from_name, RSH_STRATEGY_CHUNK,
                       RSH_STRATEGY_BLELLOCH);
-    expect_round_trip(rsh_engine_name, rsh_engine_from_name, RSH_ENGINE_PAPER,
+    expect_round_trip(rsh_engine_name, rsh_engine_from_name, RSH_ENGINE_PAPER_FAITHFUL,
                       RSH_ENGINE_BRUTE_FORCE);
+    expect_round_trip(rsh_bound_name, rsh_bound_from_name, RSH_BOUND_CONE, RSH_BOUND_BOX);
 }
 
 TEST(FindDevice, FindsByPartOfANameAndSaysWhatItSawOtherwise) {

@@ -131,7 +131,8 @@ TEST_F(Queries, ReadNoBuffers) {
     expect_same_sizes(frame, bare);
 
     rsh_traverse_desc traverse = valid_.traverse();
-    traverse.engine = RSH_ENGINE_PAPER;
+    traverse.engine = RSH_ENGINE_PAPER_FAITHFUL;
+    traverse.bound = RSH_BOUND_CONE;
     rsh_traverse_desc bare_traverse = traverse;
     bare_traverse.rays = bare_traverse.hits = bare_traverse.geometry.vertices = nullptr;
     expect_same_sizes(traverse, bare_traverse);
@@ -162,7 +163,8 @@ TEST(Limits, OfTheBudgetKeepACountOfCandidatesIn32Bits) {
     if (sizeof(size_t) < 8) GTEST_SKIP() << "no such budget with 32-bit sizes";
     const test::ValidCalls valid;
     rsh_traverse_desc desc = valid.traverse();
-    desc.engine = RSH_ENGINE_PAPER;
+    desc.engine = RSH_ENGINE_PAPER_FAITHFUL;
+    desc.bound = RSH_BOUND_CONE;
     desc.geometry.triangle_count = (1u << 28) - 1;
     desc.width = desc.height = 16384;
     size_t bytes[3] = {};
@@ -185,10 +187,10 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
         EXPECT_EQ(sizes.struct_size, 24u);
     };
     takes(valid_.rasterize(), 176);
-    takes(valid_.bound(), 64);
+    takes(valid_.bound(), 72);
     takes(valid_.build(), 40);
     takes(valid_.traverse(), 160);
-    takes(valid_.frame(), 144);
+    takes(valid_.frame(), 160);
     takes(valid_.reduce(), 72);
     EXPECT_EQ(sizeof(rsh_geometry), 48u);
     EXPECT_EQ(sizeof(rsh_camera), 64u);
@@ -199,9 +201,9 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
         RSH_SUCCESS);
     EXPECT_EQ(scene.struct_size, 192u);
     rsh_statistics statistics = {};
-    statistics.struct_size = 688;
+    statistics.struct_size = 704;
     EXPECT_EQ(rsh_get_statistics(device().rsh, &statistics), RSH_SUCCESS);
-    EXPECT_EQ(statistics.struct_size, 688u);
+    EXPECT_EQ(statistics.struct_size, 704u);
 }
 
 TEST_F(Queries, OfFeaturesRefuseStructSizes) {

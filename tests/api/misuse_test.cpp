@@ -183,10 +183,11 @@ TEST_F(Misuse, OfGeometryIsRefused) {
                   RSH_BUFFER_TOO_SMALL, {"geometry.vertices"});
     refuses<Desc>(desc, [](Desc& d) { d.geometry.triangle_count = 1u << 28; },
                   RSH_INVALID_VALUE, {"triangle_count", "268435456"});
-    refuses<Desc>(desc, [](Desc& d) { d.spheres = nullptr; }, RSH_INVALID_VALUE,
-                  {"spheres", "NULL"});
-    refuses<Desc>(desc, [&](Desc& d) { d.spheres = short_.get(); }, RSH_BUFFER_TOO_SMALL,
-                  {"spheres", "4"});
+    refuses<Desc>(desc, [](Desc& d) { d.bounds = nullptr; }, RSH_INVALID_VALUE,
+                  {"bounds", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.bounds = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"bounds", "4"});
+    refuses<Desc>(desc, [](Desc& d) { d.bound = 77; }, RSH_INVALID_VALUE, {"bound", "77"});
 }
 
 TEST_F(Misuse, OfBuildIsRefused) {
@@ -203,6 +204,7 @@ TEST_F(Misuse, OfBuildIsRefused) {
     refuses<Desc>(desc, [](Desc& d) { d.rays = nullptr; }, RSH_INVALID_VALUE, {"rays", "NULL"});
     refuses<Desc>(desc, [&](Desc& d) { d.nodes = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                   {"nodes", "4"});
+    refuses<Desc>(desc, [](Desc& d) { d.bound = 77; }, RSH_INVALID_VALUE, {"bound", "77"});
 }
 
 TEST_F(Misuse, OfTraverseIsRefused) {
@@ -223,10 +225,21 @@ TEST_F(Misuse, OfTraverseIsRefused) {
                       d.occlusion_bit = 32;
                   },
                   RSH_INVALID_VALUE, {"occlusion_bit", "32"});
-    refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_PAPER; }, RSH_INVALID_VALUE,
-                  {"nodes", "NULL"});
-    refuses<Desc>(desc, [&](Desc& d) { d.spheres = short_.get(); }, RSH_BUFFER_TOO_SMALL,
-                  {"spheres", "4"});
+    refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_PAPER_FAITHFUL; },
+                  RSH_INVALID_VALUE, {"bound", "box", "cone", "paper_faithful"});
+    refuses<Desc>(desc,
+                  [](Desc& d) { d.engine = RSH_ENGINE_DEFAULT, d.bound = RSH_BOUND_CONE; },
+                  RSH_INVALID_VALUE, {"bound", "cone", "box", "tiles"});
+    refuses<Desc>(desc, [](Desc& d) { d.bound = 77, d.engine = RSH_ENGINE_DEFAULT; },
+                  RSH_INVALID_VALUE, {"bound", "77"});
+    for (const cl_uint engine : {RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_TILES}) {
+        Desc with_engine = desc;
+        with_engine.engine = engine;
+        with_engine.bound = rsh_engine_bound(engine);
+        refuses<Desc>(with_engine, [](Desc&) {}, RSH_INVALID_VALUE, {"nodes", "NULL"});
+        refuses<Desc>(with_engine, [&](Desc& d) { d.bounds = short_.get(); },
+                      RSH_BUFFER_TOO_SMALL, {"bounds", "4"});
+    }
 }
 
 TEST_F(Misuse, OfRasterizeIsRefused) {

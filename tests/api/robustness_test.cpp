@@ -23,14 +23,16 @@ constexpr seconds kPatience{20};
 class PairTraversal {
 public:
     PairTraversal() {
-        const rsh_build_desc build = valid_.build();
+        rsh_build_desc build = valid_.build();
+        build.bound = RSH_BOUND_CONE;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_build_query(device().rsh, &build, &sizes, &levels));
         RSH_CHECK(rsh_build(device().rsh, device().queue(), &build, 0, nullptr, nullptr));
         device().queue.finish();
         desc = valid_.traverse();
-        desc.engine = RSH_ENGINE_PAPER;
+        desc.engine = RSH_ENGINE_PAPER_FAITHFUL;
+        desc.bound = RSH_BOUND_CONE;
         desc.nodes = build.nodes;
     }
 

@@ -26,7 +26,7 @@ rsh_rasterize_desc ValidCalls::rasterize() const {
 rsh_bound_desc ValidCalls::bound() const {
     auto desc = empty<rsh_bound_desc>();
     desc.geometry = scene.desc.geometry;
-    desc.spheres = spheres.get();
+    desc.bounds = bounds.get();
     return desc;
 }
 
@@ -93,10 +93,10 @@ rsh_reduce_desc ValidCalls::reduce() const {
     device().queue.finish();
     const ::testing::AssertionResult results[] = {
         out_rays.untouched(), hits.untouched(),    occlusion.untouched(),
-        colour.untouched(),   weights.untouched(), spheres.untouched(),
+        colour.untouched(),   weights.untouched(), bounds.untouched(),
         nodes.untouched(),    packed.untouched(),  count.untouched()};
-    const char* const names[] = {"rays",    "hits",  "occlusion", "colour", "weights",
-                                 "spheres", "nodes", "packed",    "count"};
+    const char* const names[] = {"rays",   "hits",  "occlusion", "colour", "weights",
+                                 "bounds", "nodes", "packed",    "count"};
     for (size_t i = 0; i < std::size(results); ++i)
         if (!results[i])
             return ::testing::AssertionFailure() << names[i] << ": " << results[i].message();

@@ -22,8 +22,9 @@ struct ValidCalls {
     Buffer<uint32_t> occlusion{kRays};
     Buffer<cl_float4> colour{kRays};
     Buffer<cl_float4> weights{kRays};
-    Buffer<cl_float4> spheres{host.mesh.triangle_count()};
-    Buffer<rsh_node_quad> nodes{64};
+    Buffer<uint8_t> bounds{384 *
+                           (host.mesh.triangle_count() / 16 + 8)};  // enough for any bound
+    Buffer<uint8_t> nodes{64 * sizeof(rsh_node_quad)};
     Buffer<uint32_t> words{std::vector<uint32_t>(1024, 7)};
     Buffer<uint8_t> flags{std::vector<uint8_t>(1024, 1)};
     Buffer<uint32_t> packed{1024};

@@ -51,7 +51,8 @@ void expect_no_leak(const test::Mesh& mesh, test::Float3 eye, uint64_t salt) {
     test::Rays rays = {{}, side, side};
     for (uint32_t i = 0; i < side * side; ++i)
         rays.rays.push_back(test::make_ray(eye, test::point_on_edge(random, mesh) - eye));
-    for (const cl_uint engine : {RSH_ENGINE_PAPER, RSH_ENGINE_BRUTE_FORCE}) {
+    for (const cl_uint engine :
+         {RSH_ENGINE_TILES, RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_BRUTE_FORCE}) {
         test::TraceOptions options;
         options.engine = engine;
         const auto hits = closest_hits(DeviceMesh(mesh), rays, options);

@@ -66,6 +66,7 @@ TEST(BoundLayout, ReadsOffsetsAndStrides) {
 
     rsh_bound_desc desc = {};
     desc.struct_size = sizeof desc;
+    desc.bound = RSH_BOUND_CONE;
     desc.geometry.vertices = vertex_buffer.get();
     desc.geometry.vertices_offset = 20;
     desc.geometry.vertex_stride = 28;
@@ -74,7 +75,7 @@ TEST(BoundLayout, ReadsOffsetsAndStrides) {
     desc.geometry.indices_offset = 12;
     desc.geometry.triangle_count = mesh.triangle_count();
     const test::Buffer<cl_float4> spheres(mesh.triangle_count());
-    desc.spheres = spheres.get();
+    desc.bounds = spheres.get();
     RSH_CHECK(
         rsh_bound(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
     EXPECT_TRUE(

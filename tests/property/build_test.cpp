@@ -81,6 +81,7 @@ void expect_contains_all(const Rays& rays) {
 void expect_levels(uint32_t width, uint32_t height) {
     rsh_build_desc desc = {};
     desc.struct_size = sizeof desc;
+    desc.bound = RSH_BOUND_CONE;
     desc.width = width;
     desc.height = height;
     rsh_sizes sizes = {};

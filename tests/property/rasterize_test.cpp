@@ -85,7 +85,8 @@ void expect_same_as_tracing(const Mesh& mesh, const View& v, size_t budget = 0,
     const test::DeviceMesh on_device(mesh);
     const Raster raster = rasterize(on_device, v, budget, own_scratch);
     expect_rays_of(v, raster.rays);
-    for (const cl_uint engine : {RSH_ENGINE_PAPER, RSH_ENGINE_BRUTE_FORCE}) {
+    for (const cl_uint engine :
+         {RSH_ENGINE_TILES, RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_BRUTE_FORCE}) {
         test::TraceOptions options;
         options.engine = engine;
         EXPECT_TRUE(

@@ -23,9 +23,15 @@ TraceOptions brute_force() {
 
 TraceOptions paper(cl_uint strategy, size_t budget = 0) {
     TraceOptions options;
-    options.engine = RSH_ENGINE_PAPER;
+    options.engine = RSH_ENGINE_PAPER_FAITHFUL;
     options.strategy = strategy;
     options.budget = budget;
+    return options;
+}
+
+TraceOptions tiles() {
+    TraceOptions options;
+    options.engine = RSH_ENGINE_TILES;
     return options;
 }
 
@@ -80,7 +86,7 @@ TEST_P(Traverse, FindsTheSameHitsWithEveryBudget) {
                                 size_t(200001), size_t(1) << 22}) {
         TraceOptions options = paper(strategy(), budget);
         options.own_scratch = true;
-        options.own_spheres = true;
+        options.own_bounds = true;
         EXPECT_TRUE(test::same_bits(closest_hits(mesh, c.rays, options), expected, "hits"))
             << "budget " << budget;
     }
@@ -129,11 +135,40 @@ INSTANTIATE_TEST_SUITE_P(All, Overflow, ::testing::ValuesIn(test::all_strategies
                              return test::strategy_name(strategy.param);
                          });
 
+// Side by side towards a light that lies in the same octant for all: bundles as a renderer makes
+// them.
+test::Rays shadow_rays(uint32_t side) {
+    test::Rays rays{{}, side, side};
+    const test::Float3 light(4, 5, 3);
+    for (uint32_t i = 0; i < side * side; ++i) {
+        const test::Float3 origin(2.0f * float(i % side) / float(side) - 1, -1.5f,
+                                  2.0f * float(i / side) / float(side) - 1);
+        rays.rays.push_back(test::make_ray(origin, light - origin, 0, 1 - 0x1p-16f));
+    }
+    return rays;
+}
+
+TEST(ConvergingRays, OfOneOctantHitWhatTheyHitByBruteForce) {
+    test::Random random(15);
+    const DeviceMesh mesh(test::random_soup(random, test::small() ? 300 : 6000, 0.03f));
+    const test::Rays rays = shadow_rays(test::small() ? 16 : 80);
+    for (TraceOptions options : {paper(0), tiles()}) {
+        options.converging = true;
+        EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options),
+                                    closest_hits(mesh, rays, brute_force()), "hits"))
+            << rsh_engine_name(options.engine);
+        const auto masks = noise(rays.rays.size(), 5);
+        EXPECT_TRUE(test::same_bits(occlusion(mesh, rays, masks, 5, options),
+                                    occlusion(mesh, rays, masks, 5, brute_force()), "masks"))
+            << rsh_engine_name(options.engine);
+    }
+}
+
 // Nodes may bound rays from where they meet. Rays that run on behind that point, and rays that
 // never were meant to meet, are found all the same.
-TEST(ConvergingRays, HitWhatTheyHitByBruteForce) {
+void expect_converging_as_brute_force(TraceOptions options) {
+    SCOPED_TRACE(rsh_engine_name(options.engine));
     test::Random random(13);
-    TraceOptions options = paper(0);
     options.converging = true;
     const uint32_t side = test::small() ? 12 : 61;
     for (const float scale : {1.0f, 1e-9f, 1e9f, 1e18f})
@@ -144,11 +179,21 @@ TEST(ConvergingRays, HitWhatTheyHitByBruteForce) {
             EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options),
                                         closest_hits(mesh, rays, brute_force()), "hits"))
                 << "scale " << scale;
+            const auto masks = noise(rays.rays.size(), 3);
+            EXPECT_TRUE(test::same_bits(occlusion(mesh, rays, masks, 3, options),
+                                        occlusion(mesh, rays, masks, 3, brute_force()),
+                                        "masks"))
+                << "scale " << scale;
         }
     const DeviceMesh mesh(test::random_soup(random, 200));
     const test::Rays any = test::random_rays(random, side, 7);
     EXPECT_TRUE(test::same_bits(closest_hits(mesh, any, options),
                                 closest_hits(mesh, any, brute_force()), "hits of any rays"));
+}
+
+TEST(ConvergingRays, HitWhatTheyHitByBruteForce) {
+    expect_converging_as_brute_force(paper(0));
+    expect_converging_as_brute_force(tiles());
 }
 
 TEST(ConvergingRays, LeaveFewerPairs) {
@@ -184,9 +229,12 @@ TEST(TraverseHits, AreTheSameWithEveryVectorWidth) {
             options.context = context.get();
             EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
                 << "paper, width " << width << ", budget " << budget;
-            options.engine = RSH_ENGINE_BRUTE_FORCE;
-            EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
-                << "brute force, width " << width;
+            for (const cl_uint engine : {RSH_ENGINE_BRUTE_FORCE, RSH_ENGINE_TILES}) {
+                options.engine = engine;
+                EXPECT_TRUE(
+                    test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
+                    << rsh_engine_name(engine) << ", width " << width;
+            }
         }
 }
 
@@ -196,7 +244,7 @@ TEST(TraverseHits, OfRaysThatHitNothingHoldTmaxAndZeros) {
                         for (rsh_ray& ray : rays.rays) ray.direction_tmax.s[3] = 7.25f;
                         return rays;
                     }()};
-    for (const TraceOptions& options : {brute_force(), paper(0)})
+    for (const TraceOptions& options : {brute_force(), paper(0), tiles()})
         for (const rsh_hit& hit : closest_hits(DeviceMesh(c.mesh), c.rays, options)) {
             ASSERT_EQ(hit.primitive, RSH_NO_HIT);
             ASSERT_EQ(hit.t, 7.25f);
@@ -213,7 +261,7 @@ TEST(TraverseHits, OfEqualTNameTheLowerTriangle) {
         thrice.vertices.insert(thrice.vertices.end(), once.vertices.begin(),
                                once.vertices.end());
     const test::Rays rays = test::random_rays(random, 64, 32);
-    for (const TraceOptions& options : {brute_force(), paper(0)})
+    for (const TraceOptions& options : {brute_force(), paper(0), tiles()})
         EXPECT_TRUE(test::same_bits(closest_hits(DeviceMesh(thrice), rays, options),
                                     closest_hits(DeviceMesh(once), rays, brute_force()),
                                     "hits"));
@@ -227,8 +275,9 @@ TEST(TraverseHits, NeverNameATriangleWithTwoEqualCorners) {
         mesh.add(a, i % 2 ? a : b, i % 3 ? b : a);
     }
     const test::Rays rays = test::rays_at_edges(random, mesh, 40, 40);
-    for (const rsh_hit& hit : closest_hits(DeviceMesh(mesh), rays, paper(0)))
-        ASSERT_EQ(hit.primitive, RSH_NO_HIT);
+    for (const TraceOptions& options : {paper(0), tiles()})
+        for (const rsh_hit& hit : closest_hits(DeviceMesh(mesh), rays, options))
+            ASSERT_EQ(hit.primitive, RSH_NO_HIT);
 }
 
 }  // namespace

@@ -21,10 +21,11 @@ public:
         desc.width = rays.width;
         desc.height = rays.height;
         desc.engine = options.engine;
+        desc.bound = options.bound ? options.bound : rsh_engine_bound(options.engine);
         desc.strategy = options.strategy;
         desc.budget = options.budget;
         if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes(options.converging);
-        if (options.own_spheres) add_spheres(mesh);
+        if (options.own_bounds) add_bounds(mesh);
         own_scratch_ = options.own_scratch;
     }
 
@@ -40,6 +41,7 @@ public:
         device().queue.finish();
         if (scratch_) expect_guards(scratch_->guards_intact(), "scratch");
         if (nodes_) expect_guards(nodes_->guards_intact(), "nodes");
+        if (bounds_) expect_guards(bounds_->guards_intact(), "bounds");
     }
 
     rsh_traverse_desc desc = {};
@@ -52,6 +54,7 @@ private:
         build.width = desc.width;
         build.height = desc.height;
         build.converging = converging;
+        build.bound = desc.bound;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_build_query(context_, &build, &sizes, nullptr));
@@ -60,16 +63,23 @@ private:
         RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
     }
 
-    void add_spheres(const DeviceMesh& mesh) {
-        spheres_ = std::make_unique<Buffer<cl_float4>>(bound(mesh));
-        desc.spheres = spheres_->get();
+    void add_bounds(const DeviceMesh& mesh) {
+        rsh_bound_desc bound = {};
+        bound.struct_size = sizeof bound;
+        bound.geometry = mesh.geometry();
+        bound.bound = desc.bound;
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        RSH_CHECK(rsh_bound_query(context_, &bound, &sizes));
+        bounds_ = std::make_unique<Bytes>(sizes.output_bytes);
+        bound.bounds = desc.bounds = bounds_->get();
+        RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
     }
 
     Buffer<rsh_ray> rays_;
     rsh_context context_;
     bool own_scratch_ = false;
-    std::unique_ptr<Bytes> nodes_, scratch_;
-    std::unique_ptr<Buffer<cl_float4>> spheres_;
+    std::unique_ptr<Bytes> nodes_, bounds_, scratch_;
 };
 
 }  // namespace
@@ -90,6 +100,7 @@ Hierarchy build(const Rays& rays) {
     desc.rays = input.get();
     desc.width = rays.width;
     desc.height = rays.height;
+    desc.bound = RSH_BOUND_CONE;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
     Hierarchy made;
@@ -107,7 +118,8 @@ std::vector<cl_float4> bound(const DeviceMesh& mesh) {
     rsh_bound_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.geometry = mesh.geometry();
-    desc.spheres = spheres.get();
+    desc.bound = RSH_BOUND_CONE;
+    desc.bounds = spheres.get();
     RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
     std::vector<cl_float4> made = spheres.read();
     expect_guards(spheres.guards_intact(), "spheres");

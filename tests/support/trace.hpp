@@ -29,17 +29,19 @@ struct Hierarchy {
     std::vector<rsh_node_quad> quads;
 };
 
-// rsh_build over the rays, read back.
+// rsh_build of cones over the rays, read back.
 Hierarchy build(const Rays& rays);
 
+// Spheres of the bound `cone`.
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;
+    cl_uint bound = RSH_BOUND_DEFAULT;  // what the engine prefers
     cl_uint strategy = RSH_STRATEGY_DEFAULT;
     size_t budget = 0;
     bool own_scratch = false;       // the caller's scratch instead of the context's pool
-    bool own_spheres = false;       // from rsh_bound instead of made in scratch
+    bool own_bounds = false;        // from rsh_bound instead of made in scratch
     bool converging = false;        // nodes bound the rays from t = 1
     rsh_context context = nullptr;  // null: the device's
 };

@@ -35,6 +35,7 @@ RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size si
     traverse_.height = size.height;
     traverse_.query = is_shadow ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST;
     traverse_.engine = column.engine;
+    bound_.bound = build_.bound = traverse_.bound = rsh_engine_bound(column.engine);
     make_buffers();
 }
 
@@ -50,7 +51,7 @@ void RshTracer::make_buffers() {
     require(rsh_build_query(device_.rsh(), &build_, &build, nullptr), "rsh_build_query");
     bounds_ = own(bound.output_bytes);
     nodes_ = own(build.output_bytes);
-    bound_.spheres = traverse_.spheres = bounds_();
+    bound_.bounds = traverse_.bounds = bounds_();
     build_.nodes = traverse_.nodes = nodes_();
     require(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
     scratch_ =

@@ -1,10 +1,9 @@
-#include "engines/paper.hpp"
+#include "engines/paper_faithful.hpp"
 
 #include <algorithm>
 
+#include "bounds/bound.hpp"
 #include "core/error.hpp"
-#include "passes/bound.hpp"
-#include "passes/build.hpp"
 #include "passes/intersect.hpp"
 #include "passes/traverse_test.hpp"
 #include "reduce/strategy.hpp"
@@ -17,6 +16,10 @@ constexpr size_t kDefaultBudget = 64u << 20;
 constexpr size_t kBytesPerTest = 8 * sizeof(rsh_pair);
 // Its four candidates are counted in 32 bits.
 constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
+
+rsh_levels cone_levels(const rsh_traverse_desc& desc) {
+    return find_bound(RSH_BOUND_CONE).levels(desc.width, desc.height);
+}
 
 // Pairs that a level can test. Never more than the scene can make: one per triangle and node of
 // level 1, the finest that is tested.
@@ -67,11 +70,14 @@ void count_statistics(Recorder& recorder, const rsh_levels& levels, const PairSt
         [limit, count, batch](rsh_statistics& sums, const cl_uint* level_counts) {
             ++sums.batches;
             sums.pairs_tested[count] += batch.triangle_count;
+            sums.node_tests += batch.triangle_count;
+            sums.ray_tests += level_counts[0];
             for (cl_uint l = 0; l < count; ++l) {
                 const cl_ulong pairs = level_counts[l];
                 const cl_ulong walked = l > 0 && pairs > limit ? pairs - limit : 0;
                 sums.pairs_tested[l] += pairs;
                 sums.pairs_walked[l] += walked;
+                if (l > 0) sums.node_tests += 4 * pairs;
                 sums.peak_pairs = std::max(sums.peak_pairs, pairs);
             }
         });
@@ -82,12 +88,12 @@ public:
     Traversal(Recorder& recorder, const rsh_traverse_desc& desc, const Layout& layout)
         : recorder_(recorder),
           desc_(desc),
-          levels_(levels_of(desc.width, desc.height)),
+          levels_(cone_levels(desc)),
           strategy_(safe_strategy(recorder.context(), desc.strategy)),
           scratch_(recorder, layout, desc.scratch),
           streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["candidates"],
                    scratch_["candidate count"], scratch_["counts"]} {
-        if (!desc_.spheres) make_spheres();
+        if (!desc_.bounds) desc_.bounds = make_bounds(recorder_, desc_, scratch_);
     }
 
     void run() {
@@ -119,12 +125,6 @@ private:
         strategy_.enqueue(recorder_, survivors(streams_, level), scratch_);
     }
 
-    void make_spheres() {
-        desc_.spheres = scratch_["spheres"];
-        rsh_bound_desc bounds = {sizeof(rsh_bound_desc), desc_.geometry, desc_.spheres};
-        bound(recorder_, bounds);
-    }
-
     void report_progress(cl_uint batch, cl_uint batch_count) {
         if (desc_.progress && desc_.progress(batch, batch_count, desc_.progress_user))
             throw Error(RSH_CANCELLED,
@@ -141,25 +141,24 @@ private:
 
 }  // namespace
 
-Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
-                      Spheres spheres) const {
-    const rsh_levels levels = levels_of(desc.width, desc.height);
+Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& desc,
+                              SceneBounds bounds) const {
+    const rsh_levels levels = cone_levels(desc);
     const cl_uint limit = limit_of(desc, levels);
     Layout layout(context.caps.alignment);
     layout.add_array<rsh_pair>("pairs", size_t{4} * limit);
     layout.add_array<rsh_pair>("candidates", size_t{4} * limit);
     layout.add_array<cl_uint>("candidate count", 1);
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
-    if (spheres == Spheres::made)
-        layout.add("spheres", size_t{desc.geometry.triangle_count} * 16);
+    reserve_bounds(layout, desc, bounds);
     safe_strategy(context, desc.strategy)
         .reserve(layout, context, {4 * limit, sizeof(rsh_pair)});
     return layout;
 }
 
-void Paper::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
+void PaperFaithful::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     if (desc.width == 0) return;
-    Traversal(recorder, desc, scratch(recorder.context(), desc, spheres_of(desc))).run();
+    Traversal(recorder, desc, scratch(recorder.context(), desc, scene_bounds_of(desc))).run();
 }
 
 }  // namespace rsh

@@ -1,0 +1,35 @@
+/* tile.h - which rays a tile holds: 16 blocks of 16 rays. In a grid, blocks are 4 x 4 rays and
+ * tiles 4 x 4 blocks; in a list, both are runs. */
+#ifndef RSH_TILE_H
+#define RSH_TILE_H
+
+#include "kernel_types.h"
+
+#define RSH_NO_RAY 0xffffffffu
+
+typedef struct rsh_tile {
+    uint width, height; /* rays; list: height 0 */
+    uint x, y;          /* first ray; list: x */
+} rsh_tile;
+
+static uint tile_count(rsh_levels shape) { return shape.width[2] * shape.height[2]; }
+
+static rsh_tile tile_at(rsh_levels shape, uint tile)
+{
+    if (shape.is_list) return (rsh_tile){shape.width[0], 0, 256 * tile, 0};
+    const uint columns = shape.width[2];
+    return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16, tile / columns * 16};
+}
+
+/* Index of a ray of the tile; RSH_NO_RAY outside of the grid or list. */
+static uint ray_of(rsh_tile tile, uint block, uint k)
+{
+    if (tile.height == 0) {
+        const uint i = tile.x + 16 * block + k;
+        return i < tile.width ? i : RSH_NO_RAY;
+    }
+    const uint x = tile.x + 4 * (block & 3) + (k & 3), y = tile.y + (block & ~3u) + (k >> 2);
+    return x < tile.width && y < tile.height ? y * tile.width + x : RSH_NO_RAY;
+}
+
+#endif

@@ -1,0 +1,28 @@
+// box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile
+// (build_boxes.cl); against boxes around triangles, and around runs of 16, 256, ... of them
+// (bound_boxes.cl).
+#pragma once
+
+#include "bounds/bound.hpp"
+#include "kernel_types.h"
+
+namespace rsh {
+
+class Box final : public Bound {
+public:
+    cl_uint id() const noexcept override { return RSH_BOUND_BOX; }
+    const char* name() const noexcept override { return "box"; }
+    rsh_levels levels(cl_uint width, cl_uint height) const override;
+    size_t node_bytes(const rsh_levels& levels) const override;
+    size_t scene_bytes(const rsh_geometry& geometry) const override;
+    void bound(Recorder& recorder, const rsh_bound_desc& desc) const override;
+    void build(Recorder& recorder, const rsh_build_desc& desc) const override;
+};
+
+// Where the boxes of a scene's levels lie.
+rsh_box_levels box_levels(cl_uint triangle_count);
+
+// A work-item that goes through a tile or a cluster on its own: no groups on CPUs.
+Range serial_range(const Context& context, size_t items);
+
+}  // namespace rsh

@@ -1,0 +1,48 @@
+#include "bounds/cone.hpp"
+
+#include "bounds/levels.hpp"
+#include "passes/mesh.hpp"
+
+namespace rsh {
+
+rsh_levels Cone::levels(cl_uint width, cl_uint height) const {
+    rsh_levels levels = ray_level(width, height);
+    levels.fan = 2;
+    cl_uint quads = 0;
+    do {
+        const cl_uint l = add_level(levels);
+        levels.first_quad[l] = quads;
+        quads += levels.width[l + 1] * levels.height[l + 1];
+    } while (levels.width[levels.count] > 1 || levels.height[levels.count] > 1);
+    levels.first_quad[levels.count] = quads;
+    return levels;
+}
+
+size_t Cone::node_bytes(const rsh_levels& levels) const {
+    return levels.first_quad[levels.count] * sizeof(rsh_node_quad);
+}
+
+size_t Cone::scene_bytes(const rsh_geometry& geometry) const {
+    return size_t{geometry.triangle_count} * 16;
+}
+
+void Cone::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
+    const rsh_geometry& geometry = desc.geometry;
+    recorder.launch(RSH_STAGE_BOUND, {"program_traverse", "rsh_bound"},
+                    recorder.range(geometry.triangle_count), mesh_of(geometry),
+                    geometry.vertices, geometry.indices, desc.bounds);
+}
+
+void Cone::build(Recorder& recorder, const rsh_build_desc& desc) const {
+    const rsh_levels shape = levels(desc.width, desc.height);
+    const auto parents = [&shape](cl_uint level) {
+        return size_t{shape.width[level + 1]} * shape.height[level + 1];
+    };
+    recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_leaves"},
+                    recorder.range(parents(0)), shape, desc.rays, desc.converging, desc.nodes);
+    for (cl_uint level = 1; level < shape.count; ++level)
+        recorder.launch(RSH_STAGE_BUILD, {"program_traverse", "rsh_build_level"},
+                        recorder.range(parents(level)), shape, level, desc.nodes);
+}
+
+}  // namespace rsh

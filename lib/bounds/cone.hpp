@@ -1,0 +1,20 @@
+// cone.hpp - the node of Roger, Assarsson and Holzschuch 2007: a cone capped by a sphere, four
+// children each, up to a root (build.cl); against spheres around the triangles (bound.cl).
+#pragma once
+
+#include "bounds/bound.hpp"
+
+namespace rsh {
+
+class Cone final : public Bound {
+public:
+    cl_uint id() const noexcept override { return RSH_BOUND_CONE; }
+    const char* name() const noexcept override { return "cone"; }
+    rsh_levels levels(cl_uint width, cl_uint height) const override;
+    size_t node_bytes(const rsh_levels& levels) const override;
+    size_t scene_bytes(const rsh_geometry& geometry) const override;
+    void bound(Recorder& recorder, const rsh_bound_desc& desc) const override;
+    void build(Recorder& recorder, const rsh_build_desc& desc) const override;
+};
+
+}  // namespace rsh
