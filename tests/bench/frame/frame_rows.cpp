@@ -63,6 +63,20 @@ void add_file(std::vector<FrameRow>& rows, const char* name, bool is_rigid,
         for (const RayKind kind : kinds) rows.push_back({scene, {side, side}, kind, false});
 }
 
+// The query refuses a bound that the engine does not take.
+bool takes(const Device& device, cl_uint engine, cl_uint bound) {
+    rsh_traverse_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.geometry.vertex_count = 3;
+    desc.geometry.triangle_count = 1;
+    desc.width = 1;
+    desc.engine = engine;
+    desc.bound = bound;
+    rsh_sizes sizes{};
+    sizes.struct_size = sizeof sizes;
+    return rsh_traverse_query(device.rsh(), &desc, &sizes) == RSH_SUCCESS;
+}
+
 }  // namespace
 
 std::string FrameRow::name() const {
@@ -85,11 +99,13 @@ std::vector<FrameRow> frame_rows() {
     return rows;
 }
 
-std::vector<Column> frame_columns() {
+std::vector<Column> frame_columns(const Device& device) {
     std::vector<Column> columns;
     for (cl_uint engine = 1; rsh_engine_name(engine); ++engine)
-        if (engine != RSH_ENGINE_BRUTE_FORCE)
-            columns.push_back({engine, rsh_engine_name(engine), "cone"});
+        for (cl_uint bound = 1; rsh_bound_name(bound); ++bound)
+            if (engine != RSH_ENGINE_BRUTE_FORCE && takes(device, engine, bound))
+                columns.push_back(
+                    {engine, bound, rsh_engine_name(engine), rsh_bound_name(bound)});
     return columns;
 }
 

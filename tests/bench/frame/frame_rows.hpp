@@ -22,8 +22,8 @@ struct FrameRow {
 // are read.
 std::vector<FrameRow> frame_rows();
 
-// By name from the library: engines but brute force, with each bound that they know.
-std::vector<Column> frame_columns();
+// By name from the library: engines but brute force, with each bound that they take.
+std::vector<Column> frame_columns(const Device& device);
 
 // Whether a run of this column ends within seconds.
 bool is_measured(const FrameRow& row, const Column& column);

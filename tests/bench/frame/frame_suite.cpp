@@ -27,20 +27,22 @@ struct Selection {
 };
 
 template <class Row>
-void add(std::vector<Selected<Row>>& selected, const Row& row, const std::regex& wanted) {
+void add(std::vector<Selected<Row>>& selected, const Row& row,
+         const std::vector<Column>& columns, const std::regex& wanted) {
     Selected<Row> one = {row, {}};
-    for (const Column& column : frame_columns())
+    for (const Column& column : columns)
         if (is_measured(row, column) && std::regex_search(case_name(row, column), wanted))
             one.columns.push_back(column);
     if (!one.columns.empty()) selected.push_back(one);
 }
 
-Selection select(const std::string& filter, bool quick) {
+Selection select(const Device& device, const std::string& filter, bool quick) {
+    const std::vector<Column> columns = frame_columns(device);
     const std::regex wanted(filter.empty() ? "." : filter);
     Selection selection;
     for (const FrameRow& row : frame_rows())
-        if (row.is_quick || !quick) add(selection.frames, row, wanted);
-    for (const BuildRow& row : build_rows()) add(selection.builds, row, wanted);
+        if (row.is_quick || !quick) add(selection.frames, row, columns, wanted);
+    for (const BuildRow& row : build_rows()) add(selection.builds, row, columns, wanted);
     return selection;
 }
 
@@ -115,7 +117,7 @@ void FrameSuite::add_options(CLI::App& app) {
 }
 
 std::vector<Case> FrameSuite::run(const Run& run) {
-    const Selection selection = select(filter_, run.quick);
+    const Selection selection = select(run.device, filter_, run.quick);
     if (lists_) {
         list(selection);
         return {};

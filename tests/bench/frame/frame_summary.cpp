@@ -134,7 +134,7 @@ void put_against_paper(json& out, const Cases& of_column, const std::vector<Case
     for (const Case* c : coherent_from(of_column, 80000)) {
         if (text(*c, "scene").rfind("room-", 0) != 0) continue;
         const Case* paper = faithful_to(*c, cases);
-        if (!paper || number(*c, "tests_per_ray") <= 0) continue;
+        if (!paper || paper == c || number(*c, "tests_per_ray") <= 0) continue;
         keep_least(out, "fewer_tests",
                    number(*paper, "tests_per_ray") / number(*c, "tests_per_ray"));
         if (triangles(*c) >= 686000 && triangles(*c) <= 714000)

@@ -35,7 +35,7 @@ RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size si
     traverse_.height = size.height;
     traverse_.query = is_shadow ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST;
     traverse_.engine = column.engine;
-    bound_.bound = build_.bound = traverse_.bound = rsh_engine_bound(column.engine);
+    bound_.bound = build_.bound = traverse_.bound = column.bound;
     make_buffers();
 }
 
@@ -97,8 +97,7 @@ FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {
     statistics.struct_size = sizeof statistics;
     require(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
     require(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
-    double tests = 0;
-    for (const cl_ulong pairs : statistics.pairs_tested) tests += double(pairs);
+    const double tests = double(statistics.node_tests) + double(statistics.ray_tests);
     return {tests / double(std::max<size_t>(active_rays, 1)), statistics.peak_pairs,
             statistics.launches};
 }

@@ -10,6 +10,7 @@ namespace bench {
 // A column of the tables: how rsh traverses.
 struct Column {
     cl_uint engine = RSH_ENGINE_DEFAULT;
+    cl_uint bound = RSH_BOUND_DEFAULT;
     std::string engine_name, bound_name;
 };
 
