@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace bench {
 namespace {
 
@@ -66,6 +68,17 @@ TEST(FrameSummary, ComparesWithThePaperOnTheSameRays) {
     const auto tiles = of_engine(summarize(some_cases()), "tiles");
     EXPECT_DOUBLE_EQ(tiles["fewer_tests"], 8.0);
     EXPECT_NEAR(tiles["quicker_700k"], 20.0, 1e-9);
+}
+
+TEST(FrameSummary, KeepsOtherSizesOutOfTheMeans) {
+    auto cases = some_cases();
+    cases.push_back(
+        make({"room-floor-80k", "reflection", "tiles", 2048, 79900, 16, 0.9, 0.8, 10}));
+    const auto tiles = of_engine(summarize(cases), "tiles");
+    EXPECT_NEAR(tiles["ratio_embree"], std::cbrt(2.0 * 2.0 * 4.0), 1e-9);
+    EXPECT_DOUBLE_EQ(tiles["ratio_embree_least"], 2.0);
+    EXPECT_DOUBLE_EQ(tiles["ratio_series_least"], 0.9);
+    EXPECT_NEAR(tiles["pixels_exponent"], 0.5, 1e-9);
 }
 
 TEST(FrameSummary, LeavesOutWhatWasWrong) {
