@@ -1,6 +1,6 @@
 // differences.hpp - where rsh and Embree answer differently, and why. Embree's default mode is
-// not watertight and knows no rule for equal distances; rsh's is exact against brute force, which
-// another check proves. Judges; fixes nothing.
+// not watertight and knows no rule for equal distances; rsh's is exact against brute force,
+// which another check proves. Judges; fixes nothing.
 #pragma once
 
 #include <cstddef>

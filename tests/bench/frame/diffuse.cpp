@@ -6,8 +6,8 @@
 namespace bench {
 namespace {
 
-// Wellons' lowbias32: every bit of the input changes each bit of the result with probability 1/2
-// (github.com/skeeto/hash-prospector, public domain).
+// Wellons' lowbias32: every bit of the input changes each bit of the result with probability
+// 1/2 (github.com/skeeto/hash-prospector, public domain).
 uint32_t hash(uint32_t x) {
     x = (x ^ (x >> 16)) * 0x7feb352du;
     x = (x ^ (x >> 15)) * 0x846ca68bu;

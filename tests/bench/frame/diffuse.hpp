@@ -12,8 +12,8 @@
 
 namespace bench {
 
-// `rays` are primary rays and become the diffuse rays of their `hits`, inactive where nothing is
-// hit.
+// `rays` are primary rays and become the diffuse rays of their `hits`, inactive where nothing
+// is hit.
 void make_diffuse(const std::vector<glm::vec3>& positions,
                   const std::vector<glm::uvec3>& triangles, const std::vector<rsh_hit>& hits,
                   std::vector<rsh_ray>& rays);

@@ -29,8 +29,8 @@ TEST(Diffuse, LeavesTheSideThatTheRayCameFromWithTheCosinesDistribution) {
         ASSERT_NEAR(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], 1.0, 1e-5) << "ray " << i;
         sum -= d[2];
     }
-    // The mean of cos with density cos / pi over the hemisphere is 2/3; its deviation over 20000
-    // rays is 0.0017.
+    // The mean of cos with density cos / pi over the hemisphere is 2/3; its deviation over
+    // 20000 rays is 0.0017.
     EXPECT_NEAR(sum / double(rays.size() - 1), 2.0 / 3.0, 0.008);
 }
 

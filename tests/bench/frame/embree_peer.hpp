@@ -1,8 +1,8 @@
-// embree_peer.hpp - Embree 3 on the same triangles and rays: rebuilt or refitted per frame, then
-// traced in packets of neighbouring rays, in parallel, with as many threads as the OpenCL device
-// has compute units. Written as its users would write it for geometry that moves every frame:
-// vertex and index buffers shared, scene flag dynamic, not robust (the default), denormals
-// flushed.
+// embree_peer.hpp - Embree 3 on the same triangles and rays: rebuilt or refitted per frame,
+// then traced in packets of neighbouring rays, in parallel, with as many threads as the OpenCL
+// device has compute units. Written as its users would write it for geometry that moves every
+// frame: vertex and index buffers shared, scene flag dynamic, not robust (the default),
+// denormals flushed.
 #pragma once
 
 #include <embree3/rtcore.h>

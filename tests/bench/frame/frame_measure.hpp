@@ -1,5 +1,6 @@
-// frame_measure.hpp - one row of the table: makes rays, checks every column's answers, then times
-// all columns and all of Embree's ways in turn, each round with moved vertices and new rays.
+// frame_measure.hpp - one row of the table: makes rays, checks every column's answers, then
+// times all columns and all of Embree's ways in turn, each round with moved vertices and new
+// rays.
 #pragma once
 
 #include "frame/frame_rows.hpp"

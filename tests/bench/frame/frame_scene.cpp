@@ -1,5 +1,5 @@
-// frame_scene.cpp - rooms and scene files become one mesh, a camera that sees the reflector, and
-// a motion.
+// frame_scene.cpp - rooms and scene files become one mesh, a camera that sees the reflector,
+// and a motion.
 #include "frame/frame_scene.hpp"
 
 #include <cmath>

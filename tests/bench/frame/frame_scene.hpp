@@ -1,6 +1,6 @@
-// frame_scene.hpp - the scenes of rsh-bench frame: a closed room of any number of triangles with
-// one kind of reflector, or a scene file; and the same with every vertex moved to a moment.
-// Knows no device.
+// frame_scene.hpp - the scenes of rsh-bench frame: a closed room of any number of triangles
+// with one kind of reflector, or a scene file; and the same with every vertex moved to a
+// moment. Knows no device.
 #pragma once
 
 #include <glm/glm.hpp>

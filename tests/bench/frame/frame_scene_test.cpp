@@ -1,5 +1,5 @@
-// frame_scene_test.cpp - the generated scenes: as large as they say, the same every time, closed,
-// and moving everywhere without coming apart.
+// frame_scene_test.cpp - the generated scenes: as large as they say, the same every time,
+// closed, and moving everywhere without coming apart.
 #include "frame/frame_scene.hpp"
 
 #include <gtest/gtest.h>

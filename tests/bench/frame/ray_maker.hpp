@@ -1,5 +1,5 @@
-// ray_maker.hpp - the rays that are traced: made of a scene's present moment by the library's own
-// calls (diffuse ones on the host), in a device buffer and on the host. Times nothing.
+// ray_maker.hpp - the rays that are traced: made of a scene's present moment by the library's
+// own calls (diffuse ones on the host), in a device buffer and on the host. Times nothing.
 #pragma once
 
 #include "frame/scene_on_device.hpp"
@@ -19,8 +19,8 @@ class RayMaker {
 public:
     RayMaker(const Device& device, Size size);
 
-    // One ray per pixel, inactive where there is none. kSecond: the reflection of the reflection,
-    // for glass the refraction of the refraction. BLOCKS.
+    // One ray per pixel, inactive where there is none. kSecond: the reflection of the
+    // reflection, for glass the refraction of the refraction. BLOCKS.
     void make(const SceneOnDevice& scene, RayKind kind);
 
     Size size() const { return size_; }

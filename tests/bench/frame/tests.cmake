@@ -1,5 +1,6 @@
-# rsh_bench_tests: the parts of rsh-bench frame that decide what its figures mean - scenes, rays,
-# judgement of differences, fits, summary - without a device and without the peers' packages.
+# rsh_bench_tests: the parts of rsh-bench frame that decide what its figures mean - scenes,
+# rays, judgement of differences, fits, summary - without a device and without the peers'
+# packages.
 set(frame ${CMAKE_CURRENT_LIST_DIR})
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
