@@ -15,8 +15,14 @@ bool is_near_edge(const rsh_hit& hit) {
     return std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) < kEdge;
 }
 
-bool is_same_distance(float a, float b) {
-    return std::abs(a - b) <= kDistance * std::max(std::abs(a), std::abs(b));
+bool is_same_distance(float a, float b, float tolerance) {
+    return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+// Right at a ray's origin t is mostly rounding of the coordinates, while the place is not.
+bool is_same_place(const rsh_hit& a, const rsh_hit& b) {
+    return a.primitive == b.primitive && std::abs(a.u - b.u) < kEdge &&
+           std::abs(a.v - b.v) < kEdge && is_same_distance(a.t, b.t, 100 * kDistance);
 }
 
 }  // namespace
@@ -32,7 +38,8 @@ Difference compare(const rsh_hit& ours, const rsh_hit& theirs, float cosine) {
     const bool hits_both = ours.primitive != RSH_NO_HIT && theirs.primitive != RSH_NO_HIT;
     const bool hits_none = ours.primitive == RSH_NO_HIT && theirs.primitive == RSH_NO_HIT;
     if (hits_none) return Difference::kNone;
-    if (hits_both && is_same_distance(ours.t, theirs.t))
+    if (hits_both && is_same_place(ours, theirs)) return Difference::kNone;
+    if (hits_both && is_same_distance(ours.t, theirs.t, kDistance))
         return ours.primitive == theirs.primitive ? Difference::kNone
                                                   : Difference::kSameDistance;
     const bool is_ours =

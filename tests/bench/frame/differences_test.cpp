@@ -21,6 +21,12 @@ TEST(Differences, AreNoneForTheSameHitAndForNoHitAtAll) {
     EXPECT_EQ(compare(kMiss, kMiss, 1), Difference::kNone);
 }
 
+TEST(Differences, AreNoneForTheSamePlaceRightAtTheOrigin) {
+    EXPECT_EQ(compare(middle(1.53836e-5f, 7), middle(1.53886e-5f, 7), 1), Difference::kNone);
+    EXPECT_EQ(compare(middle(1.5e-5f, 7), rsh_hit{1.505e-5f, 0.4f, 0.3f, 7}, 1),
+              Difference::kOther);
+}
+
 TEST(Differences, KnowAnotherTriangleAtTheSameDistance) {
     EXPECT_EQ(compare(middle(2, 7), middle(2, 8), 1), Difference::kSameDistance);
 }
