@@ -15,6 +15,7 @@
 
 typedef struct rsh_run {
     uint begin, end;
+    uint length; /* of the whole stream */
 } rsh_run;
 
 static uint tile_count(uint length, uint tile) { return length / tile + (length % tile != 0); }
@@ -22,7 +23,7 @@ static uint tile_count(uint length, uint tile) { return length / tile + (length 
 static rsh_run tile_run(uint index, uint tile, uint length)
 {
     const uint begin = (uint)min((ulong)index * tile, (ulong)length);
-    return (rsh_run){begin, begin + min(tile, length - begin)};
+    return (rsh_run){begin, begin + min(tile, length - begin), length};
 }
 
 /* One of `items` runs of about the same length. */

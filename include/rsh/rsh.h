@@ -548,7 +548,7 @@ typedef struct rsh_reduce_desc {
                                 many                                                          */
     cl_mem input_count;      /* in: one cl_uint on the device, up to `count`; NULL: `count`   */
     cl_mem input;            /* in */
-    cl_mem flags;            /* in: RSH_KEEP_FLAGS: a byte per element; RSH_KEEP_BITS: a bit   */
+    cl_mem flags;            /* in: RSH_KEEP_FLAGS: a byte per element, RSH_KEEP_BITS: a bit  */
     cl_mem output;           /* out: room for every element kept, at least one             */
     cl_mem output_count;     /* out: one cl_uint, the number kept                             */
     cl_mem scratch;
@@ -568,10 +568,10 @@ RSH_API rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* 
  *          never picks a strategy that rsh_device_selftest masked.
  * Limits:  input and output must not overlap. No strategy assumes that work-groups wait for
  *          each other: lookback counts a tile itself that says nothing for long.
- * Cost:    launches, and n words read or written (k kept, of e words; flags: f words per
- *          element), for chunk 2 (1 if short) and 2 n f + n e + k e; count_emit 2; block 3 and
- *          2 k e more than chunk; scan_scatter 3; atomic, atomic_group and lookback 2, and n f +
- *          n e + k e where tiles fit the cache; horn 2 + log2 n; blelloch 3 + 2 log2 n. */
+ * Cost:    in launches and in bytes moved, for n elements of e bytes with f bytes of flags, k of
+ *          them kept: chunk 2 launches (1 if short), 2 n f + n e + k e (not NULL: 2 n e + k e);
+ *          block 3, and 2 k e more; scan_scatter 3; count_emit 2; lookback and atomic_group 2,
+ *          n f + n e + k e; atomic 2; horn 2 + log2 n; blelloch 3 + 2 log2 n. */
 RSH_API rsh_status rsh_reduce(rsh_context context, cl_command_queue queue,
                               const rsh_reduce_desc* desc, cl_uint wait_count,
                               const cl_event* wait_list, cl_event* done);

@@ -37,6 +37,15 @@ double PairedTimes::run_pair(const std::function<void()>& base,
     return work_.back() * 1e-3;
 }
 
+void PairedTimes::run_series(const std::function<void()>& base,
+                             const std::function<void()>& work, double budget_ms, size_t most) {
+    double used = milliseconds(base) + milliseconds(work);
+    while (pairs() < 3 || (pairs() < most && used < budget_ms)) {
+        run_pair(base, work);
+        used += base_.back() + work_.back();
+    }
+}
+
 Spread PairedTimes::ratio() const {
     std::vector<double> ratios;
     for (size_t i = 0; i < work_.size(); ++i) ratios.push_back(base_[i] / work_[i]);

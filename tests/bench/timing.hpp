@@ -23,6 +23,11 @@ public:
     // seconds.
     double run_pair(const std::function<void()>& base, const std::function<void()>& work);
 
+    // Pairs until `budget_ms` is used up: at least 3, at most `most`. A pair goes first that is
+    // not kept.
+    void run_series(const std::function<void()>& base, const std::function<void()>& work,
+                    double budget_ms, size_t most);
+
     Spread base_ms() const { return spread(base_); }
     Spread work_ms() const { return spread(work_); }
     Spread ratio() const;  // base over work: above 1, work is the quicker one

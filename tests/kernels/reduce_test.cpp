@@ -243,6 +243,25 @@ INSTANTIATE_TEST_SUITE_P(All, Reduce,
                                             ::testing::Values(4u, 8u, 12u, 16u)),
                          name_of);
 
+class ReduceLarge : public ::testing::TestWithParam<cl_uint> {};  // element bytes
+
+// Streams of 32 MB and more may be stored past the caches, line by line; see
+// kernels/reduce_run_compress.h.
+TEST_P(ReduceLarge, EqualsCopyIf) {
+    if (test::small()) GTEST_SKIP() << "RSH_TEST_SMALL is set: too many for an emulator";
+    const uint32_t count = (32u << 20) / GetParam() + 13;
+    for (const cl_uint strategy : {RSH_STRATEGY_AUTO, RSH_STRATEGY_CHUNK})
+        for (const Pattern pattern : {Pattern::half, Pattern::all, Pattern::sparse}) {
+            Options options;
+            options.strategy = strategy;
+            options.keep = RSH_KEEP_NOT_NULL;
+            expect_reduced(make_stream(options.keep, GetParam(), count, pattern), options);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReduceLarge, ::testing::Values(4u, 8u, 12u, 16u),
+                         ::testing::PrintToStringParamName());
+
 using WidthParam = std::tuple<cl_uint, cl_uint>;  // strategy, vector width
 
 class ReduceWidth : public ::testing::TestWithParam<WidthParam> {};

@@ -1,6 +1,8 @@
-// reduce_suite.hpp - rsh-bench reduce: stream reduction, every strategy against a copy.
+// reduce_suite.hpp - rsh-bench reduce: stream reduction, every strategy and its peers against a
+// copy of the same bytes.
 #pragma once
 
+#include "reduce/selection.hpp"
 #include "suite.hpp"
 
 namespace bench {
@@ -9,10 +11,13 @@ class ReduceSuite final : public Suite {
 public:
     const char* name() const noexcept override { return "reduce"; }
     const char* description() const noexcept override {
-        return "Stream reduction: every strategy against a copy";
+        return "Stream reduction: every strategy and its peers against a copy";
     }
     void add_options(CLI::App& app) override;
     std::vector<Case> run(const Run& run) override;
+
+private:
+    ReduceOptions options_;
 };
 
 }  // namespace bench

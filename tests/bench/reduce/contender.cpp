@@ -1,0 +1,116 @@
+// contender.cpp - the library's own strategies, and the table of contenders.
+#include "reduce/contender.hpp"
+
+namespace bench {
+namespace {
+
+std::vector<cl_uchar> as_bits(const std::vector<cl_uchar>& flags) {
+    std::vector<cl_uchar> bits((flags.size() + 7) / 8);
+    for (size_t i = 0; i < flags.size(); ++i)
+        bits[i / 8] = cl_uchar(bits[i / 8] | (flags[i] ? 1 << i % 8 : 0));
+    return bits;
+}
+
+template <class T>
+cl::Buffer upload(const Device& device, const std::vector<T>& data) {
+    const size_t bytes = data.size() * sizeof(T);
+    const cl::Buffer buffer(device.context(), CL_MEM_READ_WRITE, bytes);
+    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data.data());
+    return buffer;
+}
+
+class OwnStrategy final : public Contender {
+public:
+    OwnStrategy(cl_uint strategy, const Device& device, rsh_context rsh,
+                const DeviceStream& stream, Keep keep)
+        : device_(device), rsh_(rsh), stream_(stream) {
+        desc_.struct_size = sizeof desc_;
+        desc_.strategy = strategy;
+        desc_.keep = keep == Keep::kFlags  ? RSH_KEEP_FLAGS
+                     : keep == Keep::kBits ? RSH_KEEP_BITS
+                                           : RSH_KEEP_NOT_NULL;
+        desc_.element_bytes = stream.host.spec.bytes;
+        desc_.count = stream.host.count();
+        desc_.input = stream.input();
+        if (keep == Keep::kFlags) desc_.flags = stream.flags();
+        if (keep == Keep::kBits) desc_.flags = stream.bits();
+        desc_.output = stream.output();
+        desc_.output_count = stream.count();
+    }
+
+    void run() override {
+        require(rsh_reduce(rsh_, device_.queue()(), &desc_, 0, nullptr, nullptr), "rsh_reduce");
+        device_.queue().finish();
+    }
+    bool is_right() const override {
+        cl_uint count = 0;
+        device_.queue().enqueueReadBuffer(stream_.count, CL_TRUE, 0, sizeof count, &count);
+        return is_answer(stream_.host, read_output(device_, stream_, count),
+                         rsh_strategy_is_stable(desc_.strategy) != CL_FALSE);
+    }
+    cl_ulong launches() const override {
+        require(rsh_count_statistics(rsh_, CL_TRUE), "rsh_count_statistics");
+        require(rsh_reduce(rsh_, device_.queue()(), &desc_, 0, nullptr, nullptr), "rsh_reduce");
+        rsh_statistics statistics{};
+        statistics.struct_size = sizeof statistics;
+        require(rsh_get_statistics(rsh_, &statistics), "rsh_get_statistics");
+        require(rsh_count_statistics(rsh_, CL_FALSE), "rsh_count_statistics");
+        return statistics.launches;
+    }
+
+private:
+    const Device& device_;
+    rsh_context rsh_;
+    const DeviceStream& stream_;
+    rsh_reduce_desc desc_{};
+};
+
+}  // namespace
+
+DeviceStream::DeviceStream(const Device& device, const Stream& stream)
+    : host(stream),
+      input(upload(device, stream.words)),
+      flags(upload(device, stream.flags)),
+      bits(upload(device, as_bits(stream.flags))),
+      output(device.context(), CL_MEM_READ_WRITE, stream.bytes()),
+      count(device.context(), CL_MEM_READ_WRITE, sizeof(cl_uint)),
+      copied(device.context(), CL_MEM_READ_WRITE, stream.bytes()) {
+    device.queue().enqueueFillBuffer(output, cl_uint{0}, 0, stream.bytes());
+    device.queue().enqueueFillBuffer(copied, cl_uint{0}, 0, stream.bytes());
+    device.queue().finish();
+}
+
+const char* name_of(Keep keep) {
+    constexpr const char* kNames[] = {"not_null", "flags", "bits"};
+    return kNames[int(keep)];
+}
+
+std::vector<std::string> peer_names() {
+    return {"peer:copy",        "peer:copy_buffer",     "peer:copy_kernel",
+            "peer:copy_stream", "peer:empty_launch",    "peer:boost_compute",
+            "peer:std_copy_if", "peer:parallel_copy_if"};
+}
+
+std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
+                                          rsh_context rsh, const DeviceStream& stream,
+                                          Keep keep) {
+    if (name == "peer:boost_compute") return make_boost(device, stream);
+    if (name == "peer:std_copy_if" || name == "peer:parallel_copy_if")
+        return make_host(name, stream);
+    if (name.rfind("peer:", 0) == 0) return make_copy(name, device, stream, stream.output);
+    cl_uint strategy = 0;
+    require(rsh_strategy_from_name(name.c_str(), &strategy), "rsh_strategy_from_name");
+    return std::make_unique<OwnStrategy>(strategy, device, rsh, stream, keep);
+}
+
+std::vector<cl_uint> read_output(const Device& device, const DeviceStream& stream,
+                                 cl_uint count) {
+    if (count > stream.host.count()) return {};
+    std::vector<cl_uint> words(size_t{count} * stream.host.words_per_element());
+    if (!words.empty())
+        device.queue().enqueueReadBuffer(stream.output, CL_TRUE, 0,
+                                         words.size() * sizeof(cl_uint), words.data());
+    return words;
+}
+
+}  // namespace bench

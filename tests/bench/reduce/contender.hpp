@@ -1,0 +1,54 @@
+// contender.hpp - who takes part: the library's strategies, copies, and other libraries, each
+// called as its users call it. run() works on one stream, waits for the end and can be repeated.
+#pragma once
+
+#include <memory>
+
+#include "device.hpp"
+#include "reduce/stream.hpp"
+
+namespace bench {
+
+// A stream in the memory of the device; all contenders of one context share it.
+struct DeviceStream {
+    DeviceStream(const Device& device, const Stream& stream);
+
+    const Stream& host;
+    cl::Buffer input, flags, bits, output, count;
+    // Where the copy goes that contenders are compared with. Not the output: one that stores
+    // past the caches would leave that in memory, one that does not would bring it close, for
+    // whoever comes next.
+    cl::Buffer copied;
+};
+
+class Contender {
+public:
+    virtual ~Contender() = default;
+    virtual void run() = 0;
+    virtual bool is_right() const = 0;               // what the last run gave
+    virtual cl_ulong launches() const { return 0; }  // 0: not known
+};
+
+// What "kept" is told by.
+enum class Keep { kNotNull, kFlags, kBits };
+const char* name_of(Keep keep);
+
+// Makes the contender of that name for a stream; null if it cannot take it.
+//   a strategy's name; peer:copy_buffer, clEnqueueCopyBuffer; peer:copy_kernel, a kernel;
+//   peer:copy, the quicker one of these; peer:copy_stream, a kernel that stores past the caches;
+//   peer:empty_launch; peer:boost_compute, peer:std_copy_if, peer:parallel_copy_if
+std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
+                                          rsh_context rsh, const DeviceStream& stream,
+                                          Keep keep);
+std::vector<std::string> peer_names();  // in this process
+
+std::unique_ptr<Contender> make_copy(const std::string& name, const Device& device,
+                                     const DeviceStream& stream, const cl::Buffer& to);
+std::unique_ptr<Contender> make_boost(const Device& device, const DeviceStream& stream);
+std::unique_ptr<Contender> make_host(const std::string& name, const DeviceStream& stream);
+
+// The first `count` elements of the output.
+std::vector<cl_uint> read_output(const Device& device, const DeviceStream& stream,
+                                 cl_uint count);
+
+}  // namespace bench

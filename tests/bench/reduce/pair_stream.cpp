@@ -1,0 +1,177 @@
+#include "reduce/pair_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "frame/ray_maker.hpp"
+
+namespace bench {
+namespace {
+
+constexpr Size kFrame = {512, 512};
+
+struct HostPair {
+    cl_uint triangle, node;  // the index in its level
+};
+
+// Rays, hierarchy and spheres of one frame, read back.
+class Hierarchy {
+public:
+    Hierarchy(const Device& device, const std::string& scene_name)
+        : device_(device),
+          frame_(SceneSpec{scene_name, Reflector::kFile, 0,
+                           std::string(RSH_SCENE_FILES) + "/" + scene_name + ".json"}),
+          scene_(device, frame_),
+          rays_(device, kFrame) {
+        scene_.move(0.0);
+        rays_.make(scene_, RayKind::kReflection);
+        build();
+        bound();
+    }
+
+    const rsh_levels& levels() const { return levels_; }
+    cl_uint triangle_count() const { return scene_.geometry().triangle_count; }
+
+    // Child k of a node of level + 1, as the cone-sphere test of kernels/cone_sphere.h sees it.
+    bool meets(cl_uint level, const HostPair& pair, int k) const {
+        const rsh_node_quad& q = quads_[levels_.first_quad[level] + pair.node];
+        const cl_float4& s = spheres_[pair.triangle];
+        if (!(q.radius.s[k] >= 0) || !(s.s[3] >= 0)) return false;
+        if (q.sine.s[k] > 1) return true;
+        const glm::dvec3 w(s.s[0] - q.apex_x.s[k], s.s[1] - q.apex_y.s[k],
+                           s.s[2] - q.apex_z.s[k]);
+        const glm::dvec3 axis(q.axis_x.s[k], q.axis_y.s[k], q.axis_z.s[k]);
+        const double z = glm::dot(w, axis), across = glm::length(glm::cross(w, axis));
+        const double sine = q.sine.s[k], cosine = std::sqrt(1 - sine * sine);
+        const double reach = double(q.radius.s[k]) + s.s[3];
+        if (z < 0 && across * sine < -z * cosine) return glm::length(w) <= reach;
+        return across * cosine - z * sine <= reach;
+    }
+
+    // As the library counts them.
+    rsh_statistics count() const;
+
+private:
+    void build() {
+        rsh_build_desc desc{};
+        desc.struct_size = sizeof desc;
+        desc.rays = rays_.buffer()();
+        desc.width = kFrame.width;
+        desc.height = kFrame.height;
+        desc.bound = RSH_BOUND_CONE;
+        rsh_sizes sizes{};
+        sizes.struct_size = sizeof sizes;
+        require(rsh_build_query(device_.rsh(), &desc, &sizes, &levels_), "rsh_build_query");
+        nodes_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
+        desc.nodes = nodes_();
+        require(rsh_build(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+                "rsh_build");
+        quads_.resize(levels_.first_quad[levels_.count]);
+        device_.queue().enqueueReadBuffer(nodes_, CL_TRUE, 0,
+                                          quads_.size() * sizeof(rsh_node_quad), quads_.data());
+    }
+
+    void bound() {
+        spheres_.resize(triangle_count());
+        const size_t bytes = spheres_.size() * sizeof(cl_float4);
+        const cl::Buffer buffer(device_.context(), CL_MEM_READ_WRITE, bytes);
+        rsh_bound_desc desc{};
+        desc.struct_size = sizeof desc;
+        desc.geometry = scene_.geometry();
+        desc.bound = RSH_BOUND_CONE;
+        desc.bounds = buffer();
+        require(rsh_bound(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+                "rsh_bound");
+        device_.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, spheres_.data());
+    }
+
+    const Device& device_;
+    FrameScene frame_;
+    SceneOnDevice scene_;
+    RayMaker rays_;
+    rsh_levels levels_{};
+    cl::Buffer nodes_;
+    std::vector<rsh_node_quad> quads_;
+    std::vector<cl_float4> spheres_;
+};
+
+rsh_statistics Hierarchy::count() const {
+    rsh_traverse_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.geometry = scene_.geometry();
+    desc.rays = rays_.buffer()();
+    desc.nodes = nodes_();
+    desc.width = kFrame.width;
+    desc.height = kFrame.height;
+    desc.engine = RSH_ENGINE_PAPER_FAITHFUL;
+    desc.bound = RSH_BOUND_CONE;
+    desc.budget = size_t{1} << 29;
+    const cl::Buffer hits(device_.context(), CL_MEM_READ_WRITE,
+                          kFrame.pixels() * sizeof(rsh_hit));
+    desc.hits = hits();
+    require(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
+    require(rsh_traverse(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+            "rsh_traverse");
+    rsh_statistics statistics{};
+    statistics.struct_size = sizeof statistics;
+    require(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
+    require(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
+    return statistics;
+}
+
+cl_uint child_of(const rsh_levels& levels, cl_uint level, cl_uint parent, int k) {
+    const cl_uint x = parent % levels.width[level + 1], y = parent / levels.width[level + 1];
+    return (2 * y + cl_uint(k >> 1)) * levels.width[level] + 2 * x + cl_uint(k & 1);
+}
+
+// One level of the traversal. The flags of its candidates, and `pairs` become the survivors.
+std::vector<cl_uchar> descend(const Hierarchy& hierarchy, cl_uint level,
+                              std::vector<HostPair>& pairs) {
+    std::vector<cl_uchar> flags;
+    std::vector<HostPair> survivors;
+    flags.reserve(4 * pairs.size());
+    for (const HostPair& pair : pairs)
+        for (int k = 0; k < 4; ++k) {
+            flags.push_back(hierarchy.meets(level, pair, k));
+            if (flags.back())
+                survivors.push_back(
+                    {pair.triangle, child_of(hierarchy.levels(), level, pair.node, k)});
+        }
+    pairs = std::move(survivors);
+    return flags;
+}
+
+// Rounding may decide a few of them otherwise.
+void require_close(cl_ulong counted, size_t found, cl_uint level) {
+    if (std::abs(double(found) - double(counted)) > 1e-3 * double(counted) + 8)
+        throw std::runtime_error(fmt::format(
+            "pairs of level {}: found {}, the library counts {}", level, found, counted));
+}
+
+}  // namespace
+
+bool has_scenes() {
+    return std::getenv("RSH_SCENES") != nullptr;
+}
+
+std::vector<cl_uchar> make_pair_flags(const Device& device, const std::string& pattern,
+                                      size_t most) {
+    const size_t colon = pattern.rfind(':');
+    const Hierarchy hierarchy(device, pattern.substr(6, colon - 6));
+    const cl_uint wanted = cl_uint(std::stoul(pattern.substr(colon + 1)));
+    const rsh_statistics counted = hierarchy.count();
+    std::vector<HostPair> pairs;
+    for (cl_uint i = 0; i < hierarchy.triangle_count(); ++i) pairs.push_back({i, 0});
+    std::vector<cl_uchar> flags;
+    for (cl_uint level = hierarchy.levels().count; level-- > wanted;) {
+        flags = descend(hierarchy, level, pairs);
+        require_close(counted.pairs_tested[level], pairs.size(), level);
+    }
+    if (flags.size() > most) flags.resize(most);
+    return flags;
+}
+
+}  // namespace bench

@@ -1,0 +1,28 @@
+// selection.hpp - which streams are reduced by whom.
+#pragma once
+
+#include "reduce/contender.hpp"
+
+namespace bench {
+
+// What the command line asks for; empty lists: the suite's own choice.
+struct ReduceOptions {
+    std::vector<cl_uint> counts;
+    std::vector<cl_uint> bytes;
+    std::vector<int> keeps;
+    std::vector<std::string> patterns;
+    std::vector<std::string> contenders;
+    std::vector<std::string> keep_by;
+    cl_uint vector_width = 0;
+};
+
+// A stream and those who reduce it.
+struct Heat {
+    StreamSpec stream;
+    Keep keep = Keep::kNotNull;
+    std::vector<std::string> contenders;  // peer:pyopencl among them
+};
+
+std::vector<Heat> select_heats(const ReduceOptions& options, bool quick);
+
+}  // namespace bench
