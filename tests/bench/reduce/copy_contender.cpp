@@ -1,7 +1,6 @@
 // copy_contender.cpp - the limit: copying the input, by clEnqueueCopyBuffer, by a kernel and by a
 // kernel that stores past the caches; and an empty launch.
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "reduce/contender.hpp"
@@ -108,17 +107,13 @@ private:
     cl::NDRange items_, group_;
 };
 
-// By their best times: one that lost a core for a moment would make a weak limit.
 std::unique_ptr<Contender> quicker_copy(const Device& device, const DeviceStream& stream,
                                         const cl::Buffer& to) {
     auto buffer = std::make_unique<Copy>("peer:copy_buffer", device, stream, to);
     auto kernel = std::make_unique<Copy>("peer:copy_kernel", device, stream, to);
-    double buffer_ms = INFINITY, kernel_ms = INFINITY;
-    for (int i = 0; i < 12; ++i) {
-        buffer_ms = std::min(buffer_ms, milliseconds([&] { buffer->run(); }));
-        kernel_ms = std::min(kernel_ms, milliseconds([&] { kernel->run(); }));
-    }
-    return kernel_ms < buffer_ms ? std::move(kernel) : std::move(buffer);
+    PairedTimes times;
+    for (int i = 0; i < 15; ++i) times.run_pair([&] { buffer->run(); }, [&] { kernel->run(); });
+    return times.ratio().median > 1 ? std::move(kernel) : std::move(buffer);
 }
 
 }  // namespace
