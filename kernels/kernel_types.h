@@ -27,4 +27,25 @@ typedef struct rsh_box_levels {
 } rsh_box_levels;
 RSH_ASSERT_SIZE(rsh_box_levels, 64);
 
+/* One level of a traversal by runs: nodes of level + 1, each with a run of triangles, hand them
+ * on to their children at `level`. */
+typedef struct rsh_run_step {
+    rsh_uint level;
+    rsh_uint parents;     /* nodes of level + 1 */
+    rsh_uint pieces;      /* that a parent's run is cut into, a work-item each */
+    rsh_uint first_group; /* the children of parent i are group first_group + i */
+    rsh_uint first_parent_run, first_child_run; /* of node 0 */
+    rsh_uint capacity;    /* of the stream, in triangles */
+    rsh_uint is_root;     /* 1: the only parent's run is the batch, and stored nowhere */
+    rsh_uint batch_first, batch_count; /* triangles */
+} rsh_run_step;
+RSH_ASSERT_SIZE(rsh_run_step, 40);
+
+/* Words that such a batch leaves for the statistics: [level] pairs in the stream of the level,
+ * [RSH_TALLY_SURVIVORS + level] those that there should have been, [RSH_TALLY_FINISHED] tests of
+ * a triangle against a tile's blocks by rsh_finish_runs, [... + 1] against a block's rays. */
+#define RSH_TALLY_SURVIVORS 17
+#define RSH_TALLY_FINISHED 34
+#define RSH_TALLY_WORDS 36
+
 #endif

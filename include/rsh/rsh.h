@@ -291,8 +291,10 @@ enum {
     RSH_BOUND_DEFAULT = 0, /* box */
     RSH_BOUND_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
                               around the triangles                                            */
-    RSH_BOUND_BOX = 2      /* a box of origins and a box of directions, against boxes around
+    RSH_BOUND_BOX = 2,     /* a box of origins and a box of directions, against boxes around
                               triangles and around runs of them                               */
+    RSH_BOUND_CONE_FITTED = 3 /* as cone, but each node is fitted to all its rays instead of to
+                              its four children, and angles up to 120 degrees are of use      */
 };
 
 typedef struct rsh_bound_desc {
@@ -300,15 +302,15 @@ typedef struct rsh_bound_desc {
     rsh_geometry geometry;
     cl_uint bound; /* RSH_BOUND_... */
     cl_mem bounds; /* out: rsh_sizes.output_bytes.
-                      cone: triangle_count x float4, centre and radius [world]; radius -1: the
-                            triangle is never hit.
+                      cone, cone_fitted: triangle_count x float4, centre and radius [world];
+                            radius -1: the triangle is never hit.
                       box:  rsh_box_group of 16 triangles each, then of 16 groups each, and so
                             on up to a single group                                           */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Linear in the triangles, which are taken as they come:
  * nothing is sorted or searched. Once per frame, shared by all traversals of that frame.
- * output_bytes of the query: cone 16, box about 26 per triangle. */
+ * output_bytes of the query: cones 16, box about 26 per triangle. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
@@ -323,7 +325,7 @@ typedef struct rsh_build_desc {
     cl_uint width;    /* rays in screen order, row by row; a list of `width` rays: height 1 */
     cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
     cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad (cone),
-                         rsh_node_group (box)                                                 */
+                         rsh_node_group (box), rsh_cone_group (cone_fitted)                   */
     cl_uint converging; /* 1: the rays run towards one point, where t = 1, as shadow rays of a
                          point light do; then nodes bound them from there, backwards, which
                          leaves far fewer pairs. Rays with tmax above 1 are found all the same,
@@ -338,7 +340,9 @@ RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* de
 /* Builds the hierarchy over the rays, bottom-up (Roger et al. 2007, step 2).
  *
  * Effect:  every node contains all active rays below it, rounding included.
- * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes. */
+ * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes;
+ *          cone_fitted: 1 + 2 launches per level above the tiles of 256 rays, each of which reads
+ *          all rays again; 2.2 bytes. */
 RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
                              const rsh_build_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -352,8 +356,11 @@ enum {
                                       every triangle starts at the root; bound: cone          */
     RSH_ENGINE_BRUTE_FORCE = 2,    /* every ray against every triangle: the yardstick; takes
                                       no bounds and no nodes                                  */
-    RSH_ENGINE_TILES = 3           /* each tile of 256 rays goes through the scene front to
+    RSH_ENGINE_TILES = 3,          /* each tile of 256 rays goes through the scene front to
                                       back and stops behind its last hit; bound: box          */
+    RSH_ENGINE_PAPER = 4           /* as paper_faithful, tuned: 16 children at a time, a run of
+                                      triangles per node, survivors counted before they are
+                                      written; bound: box or cone_fitted                      */
 };
 
 /* How to reduce a stream; see rsh_reduce. */
@@ -402,9 +409,11 @@ typedef struct rsh_traverse_desc {
                               other bits, and rays that hit nothing, stay as they are         */
     cl_uint engine;        /* RSH_ENGINE_... */
     cl_uint bound;         /* RSH_BOUND_... of `bounds` and `nodes`; one that the engine takes */
-    cl_uint strategy;      /* RSH_STRATEGY_...; paper                                         */
-    size_t budget;         /* paper: bytes for the pair streams; 0: enough for most scenes, at least
-                              RSH_MIN_BUDGET otherwise. Changes time, never a hit             */
+    cl_uint strategy;      /* RSH_STRATEGY_...; paper_faithful. paper packs by counts of its
+                              own and ignores it                                              */
+    size_t budget;         /* paper_faithful, paper: bytes for the pair streams; 0: enough for
+                              most scenes, at least RSH_MIN_BUDGET otherwise. Changes time, never
+                              a hit                                                           */
     cl_mem scratch;
     rsh_progress progress; /* may be NULL */
     void* progress_user;
@@ -417,14 +426,19 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
 
 /* Intersects scene and hierarchy top-down (Roger et al. 2007, steps 3 and 4).
  *
- * Effect:  paper: all triangles start as pairs with the root; per level, each pair is tested
- *          against the four children and the survivors are packed; survivors at level 0 are
- *          intersected. Triangles are worked off in batches that fit the budget. Pairs that a
- *          level cannot hold are finished depth first by the work-item that meets them, so that
- *          no stream overflows, no pair is lost and no count is read back.
+ * Effect:  paper_faithful: all triangles start as pairs with the root; per level, each pair is
+ *          tested against the four children and the survivors are packed; survivors at level 0
+ *          are intersected. Triangles are worked off in batches that fit the budget. Pairs that
+ *          a level cannot hold are finished depth first by the work-item that meets them, so
+ *          that no stream overflows, no pair is lost and no count is read back.
+ *          paper: the same with 16 children per node; a level is counted, then written. Nodes
+ *          whose survivors do not fit hand their triangles to the tiles of 256 rays below them,
+ *          which finish them at once.
  *          tiles: a work-item takes a tile of 256 rays down the boxes of the scene, the nearest
  *          first; what lies behind the tile's farthest hit is never looked at.
- * Cost:    paper: O(triangles + pairs); 1 + launches per level * levels, per batch.
+ * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
+ *          paper: the same, 3 or 4 launches per level and half as many levels; beside the streams
+ *          about 1 byte per ray.
  *          tiles: one launch; memory beyond bounds, nodes and hits: none. */
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,

@@ -99,6 +99,19 @@ typedef struct rsh_node_group {
 } rsh_node_group;
 RSH_ASSERT_SIZE(rsh_node_group, 896);
 
+/* Sixteen sibling nodes of the bound `cone_fitted`, each fitted to all its rays. [axis][node].
+ *   apex, radius  the sphere that the rays start in [world]; radius negative: no active ray
+ *   axis          unit axis of the cone that they leave in
+ *   spread        of its half-angle a: sin a up to 90 degrees, 2 - sin a beyond; 2: the cone is
+ *                 the whole space of directions */
+typedef struct rsh_cone_group {
+    rsh_float apex[3][16];
+    rsh_float radius[16];
+    rsh_float axis[3][16];
+    rsh_float spread[16];
+} rsh_cone_group;
+RSH_ASSERT_SIZE(rsh_cone_group, 512);
+
 /* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
  * Level 0 holds the rays. A node of level l + 1 has fan * fan children of level l: node (x, y)
@@ -108,13 +121,15 @@ RSH_ASSERT_SIZE(rsh_node_group, 896);
  * cone: fan 2, level `count` is the root; the children of a node are one rsh_node_quad, number
  *       first_quad[l] + index.
  * box:  fan 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
- *       one rsh_node_group, number index. */
+ *       one rsh_node_group, number index.
+ * cone_fitted: fan 4, level `count` is the root; the children at level l >= 1 of a node of level
+ *       l + 1 are one rsh_cone_group, number first_quad[l] + index; rays have none. */
 typedef struct rsh_levels {
     rsh_uint count;
     rsh_uint is_list; /* 1: every level has height 1, children in a row */
     rsh_uint width[RSH_MAX_LEVELS + 1];
     rsh_uint height[RSH_MAX_LEVELS + 1];
-    rsh_uint first_quad[RSH_MAX_LEVELS + 1]; /* of the nodes of level l; [count]: all quads */
+    rsh_uint first_quad[RSH_MAX_LEVELS + 1]; /* of the nodes of level l; [count]: all of them */
     rsh_uint fan;
 } rsh_levels;
 RSH_ASSERT_SIZE(rsh_levels, 216);

@@ -19,4 +19,16 @@ cl_uint add_level(rsh_levels& levels) {
     return l;
 }
 
+rsh_levels group_levels(cl_uint width, cl_uint height) {
+    rsh_levels levels = ray_level(width, height);
+    levels.fan = 4;
+    add_level(levels);
+    do {
+        const cl_uint l = add_level(levels);
+        levels.first_quad[l + 1] =
+            levels.first_quad[l] + static_cast<cl_uint>(node_count(levels, l + 1));
+    } while (node_count(levels, levels.count) > 1);
+    return levels;
+}
+
 }  // namespace rsh

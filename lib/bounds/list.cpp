@@ -1,5 +1,6 @@
 #include "bounds/box.hpp"
 #include "bounds/cone.hpp"
+#include "bounds/cone_fitted.hpp"
 #include "core/error.hpp"
 
 namespace rsh {
@@ -8,7 +9,8 @@ namespace rsh {
 const std::vector<const Bound*>& bounds() {
     static const Box box;
     static const Cone cone;
-    static const std::vector<const Bound*> all = {&box, &cone};
+    static const ConeFitted cone_fitted;
+    static const std::vector<const Bound*> all = {&box, &cone, &cone_fitted};
     return all;
 }
 

@@ -1,6 +1,7 @@
 #include "bounds/bound.hpp"
 #include "core/error.hpp"
 #include "engines/brute_force.hpp"
+#include "engines/paper.hpp"
 #include "engines/paper_faithful.hpp"
 #include "engines/tiles.hpp"
 #include "passes/bound.hpp"
@@ -10,9 +11,11 @@ namespace rsh {
 // The first one is the default.
 const std::vector<const Engine*>& engines() {
     static const Tiles tiles;
+    static const Paper paper;
     static const PaperFaithful paper_faithful;
     static const BruteForce brute_force;
-    static const std::vector<const Engine*> all = {&tiles, &paper_faithful, &brute_force};
+    static const std::vector<const Engine*> all = {&tiles, &paper, &paper_faithful,
+                                                   &brute_force};
     return all;
 }
 

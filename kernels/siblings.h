@@ -1,0 +1,70 @@
+/* siblings.h - 16 nodes with a common parent against one triangle, for either bound: boxes, or
+ * with RSH_FITTED the cones of cone_fitted.h. */
+#ifndef RSH_SIBLINGS_H
+#define RSH_SIBLINGS_H
+
+#include "geometry.h"
+
+#ifndef RSH_FITTED
+#define RSH_FITTED 0
+#endif
+
+#if RSH_FITTED
+#include "cone_fitted.h"
+
+#define RSH_GROUP_FLOATS (16 * RSH_CONE_ROWS)
+typedef rsh_cones rsh_siblings;
+
+static void load_siblings(rsh_siblings* nodes, __global const float* group)
+{
+    set_cones(nodes, group);
+}
+
+/* bounds: a sphere per triangle. */
+static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bounds,
+                             uint triangle)
+{
+    return cones_meeting(nodes, vload4(triangle, bounds));
+}
+
+#else
+#include "box.h"
+
+#define RSH_GROUP_FLOATS 224 /* of rsh_node_group */
+typedef struct rsh_siblings {
+    rsh_bundles bundles;
+    int sign[3]; /* of all directions, or 0 */
+} rsh_siblings;
+
+static void load_siblings(rsh_siblings* nodes, __global const float* group)
+{
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        nodes->bundles.limit[v] = load_lanes(group + 192 + RSH_WIDTH * v) * RSH_RAISED;
+    for (uint axis = 0; axis < 3; ++axis) {
+        __global const float* row = group + 16 * axis;
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            set_bundles_axis(&nodes->bundles, axis, v, load_lanes(row + RSH_WIDTH * v),
+                             load_lanes(row + 48 + RSH_WIDTH * v),
+                             load_lanes(row + 96 + RSH_WIDTH * v),
+                             load_lanes(row + 144 + RSH_WIDTH * v));
+        float low = INFINITY, high = -INFINITY;
+        for (uint k = 0; k < 16; ++k) {
+            low = fmin(low, row[96 + k]);
+            high = fmax(high, row[144 + k]);
+        }
+        nodes->sign[axis] = low > 0.0f ? 1 : high < 0.0f ? -1 : 0;
+    }
+}
+
+/* bounds: rsh_box_group of 16 triangles each. */
+static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bounds,
+                             uint triangle)
+{
+    __global const float* box = bounds + 96ul * (triangle / 16) + triangle % 16;
+    const float low[3] = {box[0], box[16], box[32]};
+    const float high[3] = {box[48], box[64], box[80]};
+    return bundles_meeting(&nodes->bundles, nodes->sign, low, high);
+}
+
+#endif
+#endif
