@@ -37,6 +37,50 @@ bool points_inside(const Node& node, const rsh_ray& ray) {
            dot(across, across) <= sine * sine * dot(axis, axis) * dot(d, d);
 }
 
+FittedNode child_of(const rsh_cone_group& g, uint32_t k) {
+    return {{g.apex[0][k], g.apex[1][k], g.apex[2][k]},
+            g.radius[k],
+            {g.axis[0][k], g.axis[1][k], g.axis[2][k]},
+            g.spread[k]};
+}
+
+// Beyond 90 degrees, angle <= a  <=>  cos >= 0 or |axis x d| >= sin a |axis| |d|.
+bool contains(const FittedNode& node, Long3 start, test::Float3 direction) {
+    if (!(node.radius >= 0) || !within(Long3(node.apex), node.radius, start)) return false;
+    if (node.spread == 2) return true;
+    const Long3 axis(node.axis), d(direction);
+    const Long3 across = cross(axis, d);
+    const bool is_wide = node.spread > 1, is_ahead = dot(axis, d) >= 0;
+    if (is_wide && is_ahead) return true;
+    const long double sine = is_wide ? 2 - (long double)(node.spread) : node.spread;
+    const long double left = dot(across, across);
+    const long double right = sine * sine * dot(axis, axis) * dot(d, d);
+    return is_wide ? left >= right : is_ahead && dot(axis, axis) > 0 && left <= right;
+}
+
+BoxNode child_of(const rsh_node_group& g, uint32_t k) {
+    const auto corner = [k](const float rows[3][16]) {
+        return test::Float3(rows[0][k], rows[1][k], rows[2][k]);
+    };
+    return {corner(g.origin_low), corner(g.origin_high), corner(g.direction_low),
+            corner(g.direction_high), g.tmax[k]};
+}
+
+bool contains(const BoxNode& node, Long3 start, long double margin, test::Float3 direction) {
+    const auto between = [](long double low, long double x, long double high) {
+        return low <= x && x <= high;
+    };
+    const auto has = [&](float low, long double x, float high) {
+        return between(low, x - margin, high) && between(low, x + margin, high);
+    };
+    return has(node.origin_low.x, start.x, node.origin_high.x) &&
+           has(node.origin_low.y, start.y, node.origin_high.y) &&
+           has(node.origin_low.z, start.z, node.origin_high.z) &&
+           between(node.direction_low.x, direction.x, node.direction_high.x) &&
+           between(node.direction_low.y, direction.y, node.direction_high.y) &&
+           between(node.direction_low.z, direction.z, node.direction_high.z);
+}
+
 bool sphere_contains(const cl_float4& sphere, const test::Corners& corners) {
     const Long3 centre(sphere.s[0], sphere.s[1], sphere.s[2]);
     if (!(sphere.s[3] >= 0)) return false;

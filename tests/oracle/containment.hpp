@@ -21,6 +21,29 @@ Node child_of(const rsh_node_quad& quad, uint32_t k);
 bool starts_inside(const Node& node, const rsh_ray& ray);
 bool points_inside(const Node& node, const rsh_ray& ray);
 
+// A node of the bound `cone_fitted`; spread as rsh_cone_group has it.
+struct FittedNode {
+    test::Float3 apex;
+    float radius;
+    test::Float3 axis;
+    float spread;
+};
+FittedNode child_of(const rsh_cone_group& group, uint32_t k);
+
+// The ray, from a point that need not be a float, along `direction`.
+bool contains(const FittedNode& node, test::Long3 start, test::Float3 direction);
+
+// A node of the bound `box`.
+struct BoxNode {
+    test::Float3 origin_low, origin_high, direction_low, direction_high;
+    float tmax;
+};
+BoxNode child_of(const rsh_node_group& group, uint32_t k);
+
+// With room around `start` of `margin` on every side.
+bool contains(const BoxNode& node, test::Long3 start, long double margin,
+              test::Float3 direction);
+
 bool sphere_contains(const cl_float4& sphere, const test::Corners& corners);
 
 }  // namespace oracle

@@ -1,4 +1,4 @@
-// build_test.cpp - every stored node contains every active ray below it; the shape is the one
+// build_test.cpp - every stored cone contains every active ray below it; the shape is the one
 // that rsh_levels describes.
 #include <gtest/gtest.h>
 
@@ -7,30 +7,13 @@
 #include "../oracle/containment.hpp"
 #include "../support/cases.hpp"
 #include "../support/compare.hpp"
+#include "../support/levels.hpp"
 #include "../support/trace.hpp"
 
 namespace {
 
 using test::Hierarchy;
 using test::Rays;
-
-// The rays below node (x, y) of `level`.
-std::vector<size_t> rays_below(const Hierarchy& h, uint32_t level, uint32_t x, uint32_t y) {
-    std::vector<size_t> rays;
-    const uint64_t side = uint64_t(1) << level;
-    if (h.levels.is_list) {
-        const uint64_t first = (uint64_t(x) << 2 * level),
-                       last = first + (uint64_t(1) << 2 * level);
-        for (uint64_t i = first; i < std::min<uint64_t>(last, h.levels.width[0]); ++i)
-            rays.push_back(i);
-        return rays;
-    }
-    for (uint64_t v = y * side; v < std::min<uint64_t>((y + 1) * side, h.levels.height[0]); ++v)
-        for (uint64_t u = x * side; u < std::min<uint64_t>((x + 1) * side, h.levels.width[0]);
-             ++u)
-            rays.push_back(v * h.levels.width[0] + u);
-    return rays;
-}
 
 ::testing::AssertionResult contains_its_rays(const oracle::Node& node, const Rays& rays,
                                              const std::vector<size_t>& below) {
@@ -50,15 +33,6 @@ std::vector<size_t> rays_below(const Hierarchy& h, uint32_t level, uint32_t x, u
            << (active ? "holds active rays" : "holds none") << ", radius " << node.radius;
 }
 
-// Coordinates of child k of node `parent` of the level above; false: outside of the level.
-bool child_place(const rsh_levels& l, uint32_t level, uint32_t parent, uint32_t k, uint32_t* x,
-                 uint32_t* y) {
-    const uint32_t above = l.width[level + 1];
-    *x = l.is_list ? 4 * parent + k : parent % above * 2 + k % 2;
-    *y = l.is_list ? 0 : parent / above * 2 + k / 2;
-    return *x < l.width[level] && *y < l.height[level];
-}
-
 void expect_contains_all(const Rays& rays) {
     const Hierarchy h = test::build(rays);
     const rsh_levels& l = h.levels;
@@ -70,8 +44,8 @@ void expect_contains_all(const Rays& rays) {
                     oracle::child_of(h.quads[l.first_quad[level] + parent], k);
                 uint32_t x, y;
                 std::vector<size_t> below;
-                if (child_place(l, level, parent, k, &x, &y))
-                    below = rays_below(h, level, x, y);
+                if (test::child_of(l, level, parent, k, &x, &y) >= 0)
+                    below = test::rays_below(l, level, x, y);
                 ASSERT_TRUE(contains_its_rays(node, rays, below))
                     << "child " << k << " of node " << parent << " of level " << level + 1
                     << ": radius " << node.radius << ", sine " << node.sine;

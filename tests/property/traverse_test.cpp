@@ -1,5 +1,6 @@
-// traverse_test.cpp - the hierarchy only leaves out work, never an answer: the paper engine
-// equals brute force bit for bit, for every case, strategy and budget, every time.
+// traverse_test.cpp - paper_faithful equals brute force bit for bit for every case, strategy and
+// budget; and what engine_test.cpp does not ask of every way: streams that are full, rays of one
+// light, every vector width, ties.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -7,19 +8,14 @@
 #include "../support/cases.hpp"
 #include "../support/compare.hpp"
 #include "../support/strategies.hpp"
-#include "../support/trace.hpp"
+#include "../support/ways.hpp"
 
 namespace {
 
+using test::brute_force;
 using test::Case;
 using test::DeviceMesh;
 using test::TraceOptions;
-
-TraceOptions brute_force() {
-    TraceOptions options;
-    options.engine = RSH_ENGINE_BRUTE_FORCE;
-    return options;
-}
 
 TraceOptions paper(cl_uint strategy, size_t budget = 0) {
     TraceOptions options;
@@ -29,10 +25,10 @@ TraceOptions paper(cl_uint strategy, size_t budget = 0) {
     return options;
 }
 
-TraceOptions tiles() {
-    TraceOptions options;
-    options.engine = RSH_ENGINE_TILES;
-    return options;
+std::vector<TraceOptions> brute_force_and_all_ways() {
+    std::vector<TraceOptions> all = test::all_ways();
+    all.push_back(brute_force());
+    return all;
 }
 
 // Other bits must survive, so they start as noise.
@@ -101,19 +97,17 @@ INSTANTIATE_TEST_SUITE_P(All, Traverse,
                                             ::testing::ValuesIn(test::all_strategies())),
                          name_of);
 
-class Overflow : public ::testing::TestWithParam<cl_uint> {};
-
 // Many triangles that nearly all rays' nodes see, and the least budget: several batches,
 // streams that overflow, and still every hit.
-TEST_P(Overflow, LosesNoPairWhenStreamsAreFull) {
+void expect_no_pair_lost(TraceOptions options, size_t pair_bytes) {
     test::Random random(9);
     const uint32_t triangles = test::small() ? 3000 : 30000;
     const DeviceMesh mesh(test::random_soup(random, triangles, 0.6f));
     const test::Rays rays = test::random_rays(random, 32, 32);
     const test::OwnContext context;
     RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
-    TraceOptions options = paper(GetParam(), RSH_MIN_BUDGET);
     options.context = context.get();
+    options.budget = RSH_MIN_BUDGET;
     const auto hits = closest_hits(mesh, rays, options);
     EXPECT_TRUE(test::same_bits(hits, closest_hits(mesh, rays, brute_force()), "hits"));
 
@@ -127,13 +121,30 @@ TEST_P(Overflow, LosesNoPairWhenStreamsAreFull) {
         EXPECT_GT(s.batches, 1u);
     }
     EXPECT_EQ(s.traversals, 1u);
-    EXPECT_LE(s.peak_pairs * sizeof(rsh_pair), size_t(RSH_MIN_BUDGET));
+    EXPECT_GT(s.node_tests, triangles);
+    EXPECT_GT(s.ray_tests, 0u);
+    EXPECT_GT(s.peak_pairs, 0u);
+    EXPECT_LE(s.peak_pairs * pair_bytes, size_t(RSH_MIN_BUDGET));
+}
+
+class Overflow : public ::testing::TestWithParam<cl_uint> {};
+
+TEST_P(Overflow, LosesNoPairWhenStreamsAreFull) {
+    expect_no_pair_lost(paper(GetParam()), sizeof(rsh_pair));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Overflow, ::testing::ValuesIn(test::all_strategies()),
                          [](const auto& strategy) {
                              return test::strategy_name(strategy.param);
                          });
+
+TEST(OverflowOfRuns, LosesNoPairWhenStreamsAreFull) {
+    for (const TraceOptions& way : test::all_ways()) {
+        if (way.engine != RSH_ENGINE_PAPER) continue;
+        SCOPED_TRACE(name_of(way));
+        expect_no_pair_lost(way, sizeof(cl_uint));
+    }
+}
 
 // Side by side towards a light that lies in the same octant for all: bundles as a renderer makes
 // them.
@@ -152,22 +163,22 @@ TEST(ConvergingRays, OfOneOctantHitWhatTheyHitByBruteForce) {
     test::Random random(15);
     const DeviceMesh mesh(test::random_soup(random, test::small() ? 300 : 6000, 0.03f));
     const test::Rays rays = shadow_rays(test::small() ? 16 : 80);
-    for (TraceOptions options : {paper(0), tiles()}) {
+    for (TraceOptions options : test::all_ways()) {
         options.converging = true;
         EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options),
                                     closest_hits(mesh, rays, brute_force()), "hits"))
-            << rsh_engine_name(options.engine);
+            << name_of(options);
         const auto masks = noise(rays.rays.size(), 5);
         EXPECT_TRUE(test::same_bits(occlusion(mesh, rays, masks, 5, options),
                                     occlusion(mesh, rays, masks, 5, brute_force()), "masks"))
-            << rsh_engine_name(options.engine);
+            << name_of(options);
     }
 }
 
 // Nodes may bound rays from where they meet. Rays that run on behind that point, and rays that
 // never were meant to meet, are found all the same.
 void expect_converging_as_brute_force(TraceOptions options) {
-    SCOPED_TRACE(rsh_engine_name(options.engine));
+    SCOPED_TRACE(name_of(options));
     test::Random random(13);
     options.converging = true;
     const uint32_t side = test::small() ? 12 : 61;
@@ -192,8 +203,7 @@ void expect_converging_as_brute_force(TraceOptions options) {
 }
 
 TEST(ConvergingRays, HitWhatTheyHitByBruteForce) {
-    expect_converging_as_brute_force(paper(0));
-    expect_converging_as_brute_force(tiles());
+    for (const TraceOptions& way : test::all_ways()) expect_converging_as_brute_force(way);
 }
 
 TEST(ConvergingRays, LeaveFewerPairs) {
@@ -225,15 +235,12 @@ TEST(TraverseHits, AreTheSameWithEveryVectorWidth) {
     for (const cl_uint width : {1u, 4u, 8u, 16u})
         for (const size_t budget : {size_t(0), size_t(RSH_MIN_BUDGET)}) {
             const test::OwnContext context(width);
-            TraceOptions options = paper(0, budget);
-            options.context = context.get();
-            EXPECT_TRUE(test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
-                << "paper, width " << width << ", budget " << budget;
-            for (const cl_uint engine : {RSH_ENGINE_BRUTE_FORCE, RSH_ENGINE_TILES}) {
-                options.engine = engine;
+            for (TraceOptions options : brute_force_and_all_ways()) {
+                options.context = context.get();
+                options.budget = budget;
                 EXPECT_TRUE(
                     test::same_bits(closest_hits(mesh, rays, options), expected, "hits"))
-                    << rsh_engine_name(engine) << ", width " << width;
+                    << name_of(options) << ", width " << width << ", budget " << budget;
             }
         }
 }
@@ -244,7 +251,7 @@ TEST(TraverseHits, OfRaysThatHitNothingHoldTmaxAndZeros) {
                         for (rsh_ray& ray : rays.rays) ray.direction_tmax.s[3] = 7.25f;
                         return rays;
                     }()};
-    for (const TraceOptions& options : {brute_force(), paper(0), tiles()})
+    for (const TraceOptions& options : brute_force_and_all_ways())
         for (const rsh_hit& hit : closest_hits(DeviceMesh(c.mesh), c.rays, options)) {
             ASSERT_EQ(hit.primitive, RSH_NO_HIT);
             ASSERT_EQ(hit.t, 7.25f);
@@ -261,7 +268,7 @@ TEST(TraverseHits, OfEqualTNameTheLowerTriangle) {
         thrice.vertices.insert(thrice.vertices.end(), once.vertices.begin(),
                                once.vertices.end());
     const test::Rays rays = test::random_rays(random, 64, 32);
-    for (const TraceOptions& options : {brute_force(), paper(0), tiles()})
+    for (const TraceOptions& options : brute_force_and_all_ways())
         EXPECT_TRUE(test::same_bits(closest_hits(DeviceMesh(thrice), rays, options),
                                     closest_hits(DeviceMesh(once), rays, brute_force()),
                                     "hits"));
@@ -275,7 +282,7 @@ TEST(TraverseHits, NeverNameATriangleWithTwoEqualCorners) {
         mesh.add(a, i % 2 ? a : b, i % 3 ? b : a);
     }
     const test::Rays rays = test::rays_at_edges(random, mesh, 40, 40);
-    for (const TraceOptions& options : {paper(0), tiles()})
+    for (const TraceOptions& options : test::all_ways())
         for (const rsh_hit& hit : closest_hits(DeviceMesh(mesh), rays, options))
             ASSERT_EQ(hit.primitive, RSH_NO_HIT);
 }

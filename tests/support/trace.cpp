@@ -93,37 +93,59 @@ DeviceMesh::DeviceMesh(const Mesh& mesh) : vertices_(mesh.vertices) {
     geometry_.indices = indices_->get();
 }
 
-Hierarchy build(const Rays& rays) {
+BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging) {
     const Buffer<rsh_ray> input(rays.rays);
     rsh_build_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.rays = input.get();
     desc.width = rays.width;
     desc.height = rays.height;
-    desc.bound = RSH_BOUND_CONE;
+    desc.converging = converging;
+    desc.bound = bound;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
-    Hierarchy made;
+    BuiltNodes made;
     RSH_CHECK(rsh_build_query(device().rsh, &desc, &sizes, &made.levels));
-    const Buffer<rsh_node_quad> nodes(sizes.output_bytes / sizeof(rsh_node_quad));
+    const Buffer<uint8_t> nodes(sizes.output_bytes);
     desc.nodes = nodes.get();
     RSH_CHECK(rsh_build(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
-    made.quads = nodes.read();
+    made.bytes = nodes.read();
     expect_guards(nodes.guards_intact(), "nodes");
     return made;
 }
 
-std::vector<cl_float4> bound(const DeviceMesh& mesh) {
-    const Buffer<cl_float4> spheres(mesh.geometry().triangle_count);
+Hierarchy build(const Rays& rays) {
+    const BuiltNodes made = build_nodes(rays, RSH_BOUND_CONE, false);
+    return {made.levels, nodes_of<rsh_node_quad>(made)};
+}
+
+namespace {
+
+template <class T>
+std::vector<T> bounds_of(const DeviceMesh& mesh, cl_uint bound) {
     rsh_bound_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.geometry = mesh.geometry();
-    desc.bound = RSH_BOUND_CONE;
-    desc.bounds = spheres.get();
+    desc.bound = bound;
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    RSH_CHECK(rsh_bound_query(device().rsh, &desc, &sizes));
+    const Buffer<T> bounds(sizes.output_bytes / sizeof(T));
+    desc.bounds = bounds.get();
     RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
-    std::vector<cl_float4> made = spheres.read();
-    expect_guards(spheres.guards_intact(), "spheres");
+    std::vector<T> made = bounds.read();
+    expect_guards(bounds.guards_intact(), "bounds");
     return made;
+}
+
+}  // namespace
+
+std::vector<cl_float4> bound(const DeviceMesh& mesh) {
+    return bounds_of<cl_float4>(mesh, RSH_BOUND_CONE);
+}
+
+std::vector<rsh_box_group> bound_boxes(const DeviceMesh& mesh) {
+    return bounds_of<rsh_box_group>(mesh, RSH_BOUND_BOX);
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

@@ -2,6 +2,7 @@
 // back.
 #pragma once
 
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -32,8 +33,24 @@ struct Hierarchy {
 // rsh_build of cones over the rays, read back.
 Hierarchy build(const Rays& rays);
 
+// rsh_build with any bound, read back; `nodes` as they lie in memory.
+struct BuiltNodes {
+    rsh_levels levels;
+    std::vector<uint8_t> bytes;
+};
+BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging);
+
+template <class Node>
+std::vector<Node> nodes_of(const BuiltNodes& built) {
+    std::vector<Node> nodes(built.bytes.size() / sizeof(Node));
+    std::memcpy(nodes.data(), built.bytes.data(), nodes.size() * sizeof(Node));
+    return nodes;
+}
+
 // Spheres of the bound `cone`.
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
+// Groups of the bound `box`.
+std::vector<rsh_box_group> bound_boxes(const DeviceMesh& mesh);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;
