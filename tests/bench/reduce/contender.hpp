@@ -35,8 +35,8 @@ const char* name_of(Keep keep);
 
 // Makes the contender of that name for a stream; null if it cannot take it.
 //   a strategy's name; peer:copy_buffer, clEnqueueCopyBuffer; peer:copy_kernel, a kernel;
-//   peer:copy, the quicker one of these; peer:copy_stream, a kernel that stores past the caches;
-//   peer:empty_launch; peer:boost_compute, peer:std_copy_if, peer:parallel_copy_if
+//   peer:copy, the quicker one of these; peer:copy_stream, a kernel that stores past the caches; peer:empty_launch; peer:boost_compute,
+//   peer:std_copy_if, peer:parallel_copy_if
 std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
                                           rsh_context rsh, const DeviceStream& stream,
                                           Keep keep);

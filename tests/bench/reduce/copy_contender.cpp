@@ -1,7 +1,6 @@
 // copy_contender.cpp - the limit: copying the input, by clEnqueueCopyBuffer, by a kernel and by a
 // kernel that stores past the caches; and an empty launch.
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "reduce/contender.hpp"
@@ -108,17 +107,20 @@ private:
     cl::NDRange items_, group_;
 };
 
-// By their best times: one that lost a core for a moment would make a weak limit.
+// The better quartile of a series on its own: a copy by one core lets the others fall asleep,
+// which a kernel in turn with it would have to pay for.
+double steady_ms(Contender& copy) {
+    std::vector<double> times;
+    for (int i = 0; i < 25; ++i) times.push_back(milliseconds([&] { copy.run(); }));
+    return spread(times).low;
+}
+
 std::unique_ptr<Contender> quicker_copy(const Device& device, const DeviceStream& stream,
                                         const cl::Buffer& to) {
     auto buffer = std::make_unique<Copy>("peer:copy_buffer", device, stream, to);
     auto kernel = std::make_unique<Copy>("peer:copy_kernel", device, stream, to);
-    double buffer_ms = INFINITY, kernel_ms = INFINITY;
-    for (int i = 0; i < 12; ++i) {
-        buffer_ms = std::min(buffer_ms, milliseconds([&] { buffer->run(); }));
-        kernel_ms = std::min(kernel_ms, milliseconds([&] { kernel->run(); }));
-    }
-    return kernel_ms < buffer_ms ? std::move(kernel) : std::move(buffer);
+    const double kernel_ms = steady_ms(*kernel);
+    return kernel_ms < steady_ms(*buffer) ? std::move(kernel) : std::move(buffer);
 }
 
 }  // namespace

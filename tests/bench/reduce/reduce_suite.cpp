@@ -82,7 +82,9 @@ public:
     Race(const bench::Run& run, const ReduceOptions& options)
         : device_(run.device),
           rsh_(run.device, options.vector_width),
-          budget_ms_(run.quick ? 12 : 120),
+          budget_ms_(options.budget_ms > 0 ? options.budget_ms
+                     : run.quick           ? 15
+                                           : 150),
           pyopencl_(run.device),
           heats_(select_heats(options, run.quick)) {
         for (const Heat& heat : heats_)
@@ -182,7 +184,7 @@ private:
         result.ok = contender->is_right();
         if (!result.ok) return 0;
         PairedTimes times;
-        times.run_series([&] { now.copy->run(); }, [&] { contender->run(); }, budget_ms_, 50);
+        times.run_series([&] { now.copy->run(); }, [&] { contender->run(); }, budget_ms_, 200);
         result.metrics = metrics_of(times, now.stream);
         if (const cl_ulong launches = contender->launches())
             result.metrics["launches"] = launches;
@@ -213,6 +215,7 @@ void ReduceSuite::add_options(CLI::App& app) {
         ->delimiter(',');
     app.add_option("--strategy", options_.contenders, "Strategies and peers")->delimiter(',');
     app.add_option("--keep-by", options_.keep_by, "not_null, flags, bits")->delimiter(',');
+    app.add_option("--budget", options_.budget_ms, "Milliseconds of timing per case");
     app.add_option("--vector-width", options_.vector_width,
                    "Of the library's kernels: 1 shows those for GPUs");
 }

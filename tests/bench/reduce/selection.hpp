@@ -14,6 +14,7 @@ struct ReduceOptions {
     std::vector<std::string> contenders;
     std::vector<std::string> keep_by;
     cl_uint vector_width = 0;
+    double budget_ms = 0;
 };
 
 // A stream and those who reduce it.

@@ -1,0 +1,63 @@
+// stream_test.cpp - streams hold what their patterns promise, and wrong answers are noticed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reduce/patterns.hpp"
+
+namespace {
+
+using bench::Stream;
+using bench::StreamSpec;
+
+Stream stream(const std::string& pattern, int keep_percent, cl_uint bytes = 8) {
+    const StreamSpec spec = {pattern, 100000, bytes, keep_percent};
+    return bench::make_stream(spec, bench::make_flags(spec));
+}
+
+class Patterns : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Patterns, KeepTheShareThatIsAskedFor) {
+    for (const int percent : {0, 1, 10, 50, 90, 99, 100}) {
+        const double tolerance = GetParam() == std::string("runs") ? 5.0 : 1.0;
+        EXPECT_NEAR(stream(GetParam(), percent).kept_percent(), percent, tolerance) << percent;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Patterns,
+                         ::testing::Values("random", "runs", "alternating", "sorted"),
+                         [](const auto& pattern) { return std::string(pattern.param); });
+
+TEST(RunsPattern, IsClustered) {
+    const Stream runs = stream("runs", 50), random = stream("random", 50);
+    const auto changes = [](const Stream& s) {
+        size_t count = 0;
+        for (size_t i = 1; i < s.flags.size(); ++i) count += s.flags[i] != s.flags[i - 1];
+        return count;
+    };
+    EXPECT_LT(changes(runs) * 20, changes(random));
+}
+
+TEST(Answer, MustBeWholeAndInOrderUnlessThatIsNotPromised) {
+    const Stream s = stream("random", 50);
+    EXPECT_TRUE(bench::is_answer(s, s.kept, true));
+    std::vector<cl_uint> turned = s.kept;
+    std::rotate(turned.begin(), turned.begin() + 2, turned.end());
+    EXPECT_FALSE(bench::is_answer(s, turned, true));
+    EXPECT_TRUE(bench::is_answer(s, turned, false));
+}
+
+TEST(Answer, IsWrongWhenAnElementIsMissingDoubledOrBroken) {
+    const Stream s = stream("random", 50);
+    std::vector<cl_uint> missing(s.kept.begin(), s.kept.end() - 2), doubled = s.kept,
+                                                                    broken = s.kept;
+    std::copy_n(doubled.begin(), 2, doubled.begin() + 2);
+    broken[3] ^= 1;
+    for (const bool is_stable : {true, false}) {
+        EXPECT_FALSE(bench::is_answer(s, missing, is_stable));
+        EXPECT_FALSE(bench::is_answer(s, doubled, is_stable));
+        EXPECT_FALSE(bench::is_answer(s, broken, is_stable));
+    }
+}
+
+}  // namespace

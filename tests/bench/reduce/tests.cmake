@@ -1,0 +1,6 @@
+# The parts of rsh-bench reduce that decide what its figures mean: patterns and the judgement of
+# answers. Into the same program as those of the frame suite.
+target_sources(rsh_bench_tests PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/patterns.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/stream.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/stream_test.cpp)
