@@ -117,6 +117,8 @@ def plot_patterns(path, cases, count):
         if name in OFF_THE_PLOTS or by != "not_null" or not is_wanted:
             continue
         found.setdefault(f"{pattern} {keep:g} %", {})[name] = metrics["ratio_to_copy"]
+    if not found:
+        return False
     names = [n for n in strategies(cases) if any(n in f for f in found.values())]
     figure, axes = plt.subplots(figsize=(11, 0.8 + 0.55 * len(found) + 1))
     height = 0.8 / max(len(names), 1)
@@ -129,7 +131,7 @@ def plot_patterns(path, cases, count):
     figure.tight_layout()
     figure.savefig(path, dpi=110)
     plt.close(figure)
-    return bool(found)
+    return True
 
 
 def plot_all(cases, folder):
