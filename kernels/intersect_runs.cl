@@ -104,6 +104,7 @@ __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh
         gathered.count = 0;
     }
     intersect_gathered(&target, tile, &gathered);
+    if (!step.is_counting) return;
     atomic_add(tally + RSH_TALLY_FINISHED, run.count);
     atomic_add(tally + RSH_TALLY_FINISHED + 1, pairs);
 }

@@ -38,8 +38,9 @@ typedef struct rsh_run_step {
     rsh_uint capacity;    /* of the stream, in triangles */
     rsh_uint is_root;     /* 1: the only parent's run is the batch, and stored nowhere */
     rsh_uint batch_first, batch_count; /* triangles */
+    rsh_uint is_counting; /* 1: a tally is wanted */
 } rsh_run_step;
-RSH_ASSERT_SIZE(rsh_run_step, 40);
+RSH_ASSERT_SIZE(rsh_run_step, 44);
 
 /* Words that such a batch leaves for the statistics: [level] pairs in the stream of the level,
  * [RSH_TALLY_SURVIVORS + level] those that there should have been, [RSH_TALLY_FINISHED] tests of

@@ -78,9 +78,9 @@ __kernel void rsh_emit_runs(rsh_levels shape, rsh_run_step step, __global const 
             if (child != RSH_NO_NODE)
                 runs[step.first_child_run + child] = (uint2)(at[k], fits ? total[k] : 0);
         }
-        if (fits)
+        if (fits && step.is_counting)
             atomic_max(tally + step.level, survivors_before(step, sums, parent + 1));
-        if (parent == 0)
+        if (parent == 0 && step.is_counting)
             tally[RSH_TALLY_SURVIVORS + step.level] =
                 survivors_before(step, sums, step.parents);
     }

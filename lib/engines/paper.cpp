@@ -130,7 +130,7 @@ private:
                               });
     }
 
-    RunLevel level_of(cl_uint level, cl_uint first, cl_uint count) const {
+    RunLevel level_of(cl_uint level, cl_uint first, cl_uint count) {
         const bool is_upper = is_box_ && level > 1;
         rsh_run_step step = {};
         step.level = level;
@@ -143,6 +143,7 @@ private:
         step.is_root = level + 1 == shape_.count;
         step.batch_first = first;
         step.batch_count = count;
+        step.is_counting = recorder_.context().statistics.enabled();
         return {shape_, step, is_upper ? scratch_["nodes"] : desc_.nodes};
     }
 

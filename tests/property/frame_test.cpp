@@ -132,8 +132,9 @@ TEST(Frame, GivesTheSameBytesWithEveryEngineStrategyAndBudget) {
     FrameOptions options = sized(72, 56, 2);
     options.engine = RSH_ENGINE_BRUTE_FORCE;
     const auto expected = test::frame(scene, options);
-    options.engine = RSH_ENGINE_TILES;
-    EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels")) << "tiles";
+    for (options.engine = 1; rsh_engine_name(options.engine); ++options.engine)
+        EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
+            << rsh_engine_name(options.engine);
     options.engine = RSH_ENGINE_PAPER_FAITHFUL;
     for (const cl_uint strategy : test::all_strategies())
         for (const size_t budget : {size_t(0), size_t(RSH_MIN_BUDGET)}) {
