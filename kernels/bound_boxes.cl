@@ -16,55 +16,59 @@ static void clear_box(float* box)
     }
 }
 
-/* Rows of a group: corner[3 * i + axis][lane]. */
-static void load_corners(rsh_mesh mesh, __global const float* vertices,
-                         __global const uint* indices, uint first, float corner[9][16])
+/* Corners of 16 triangles, component by component. */
+typedef struct rsh_corner_rows {
+    floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
+} rsh_corner_rows;
+
+/* x y z of sixteen vertices, from four floats each. */
+static void transpose_vertices(const float* vertex, floatv row[3][RSH_VECTORS])
 {
-    for (uint lane = 0; lane < 16; ++lane) {
-        rsh_triangle p;
-        if (first + lane >= mesh.triangle_count ||
-            !load_triangle(mesh, vertices, indices, first + lane, &p))
-            p.v0 = p.v1 = p.v2 = (float3)(NAN);
-        corner[0][lane] = p.v0.x;
-        corner[1][lane] = p.v0.y;
-        corner[2][lane] = p.v0.z;
-        corner[3][lane] = p.v1.x;
-        corner[4][lane] = p.v1.y;
-        corner[5][lane] = p.v1.z;
-        corner[6][lane] = p.v2.x;
-        corner[7][lane] = p.v2.y;
-        corner[8][lane] = p.v2.z;
+#if RSH_WIDTH == 16
+    float16 four[4], two[2][2];
+    for (uint i = 0; i < 4; ++i) four[i] = vload16(i, vertex);
+    for (uint i = 0; i < 2; ++i) {
+        two[0][i] = RSH_EVEN(four[2 * i], four[2 * i + 1]);
+        two[1][i] = RSH_ODD(four[2 * i], four[2 * i + 1]);
     }
+    row[0][0] = RSH_EVEN(two[0][0], two[0][1]);
+    row[1][0] = RSH_EVEN(two[1][0], two[1][1]);
+    row[2][0] = RSH_ODD(two[0][0], two[0][1]);
+#else
+    float lane[3][16];
+    for (uint k = 0; k < 16; ++k)
+        for (uint axis = 0; axis < 3; ++axis) lane[axis][k] = vertex[4 * k + axis];
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            row[axis][v] = load_lanes(lane[axis] + RSH_WIDTH * v);
+#endif
 }
 
-static float lowest(floatv* v)
+static void load_corners(rsh_mesh mesh, __global const float* vertices,
+                         __global const uint* indices, uint first, rsh_corner_rows* corners)
 {
-    float lane[16];
-    for (uint i = 0; i < RSH_VECTORS; ++i) store_lanes(v[i], lane + RSH_WIDTH * i);
-    float low = INFINITY;
-    for (uint i = 0; i < 16; ++i) low = fmin(low, lane[i]);
-    return low;
-}
-
-static float highest(floatv* v)
-{
-    float lane[16];
-    for (uint i = 0; i < RSH_VECTORS; ++i) store_lanes(v[i], lane + RSH_WIDTH * i);
-    float high = -INFINITY;
-    for (uint i = 0; i < 16; ++i) high = fmax(high, lane[i]);
-    return high;
+    float vertex[3][16 * 4];
+    for (uint k = 0; k < 16; ++k) {
+        rsh_triangle p;
+        if (first + k >= mesh.triangle_count ||
+            !load_triangle(mesh, vertices, indices, first + k, &p))
+            p.v0 = p.v1 = p.v2 = (float3)(NAN);
+        vstore4((float4)(p.v0, 0.0f), k, vertex[0]);
+        vstore4((float4)(p.v1, 0.0f), k, vertex[1]);
+        vstore4((float4)(p.v2, 0.0f), k, vertex[2]);
+    }
+    for (uint i = 0; i < 3; ++i) transpose_vertices(vertex[i], corners->row[i]);
 }
 
 /* Boxes of 16 triangles, padded as box.h says, and the box around them. */
-static void bound_triangles(float corner[9][16], __global float* group, float* around)
+static void bound_triangles(const rsh_corner_rows* corners, __global float* group, float* around)
 {
     floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const uint at = RSH_WIDTH * v;
         floatv largest = (floatv)(0.0f), sum = (floatv)(0.0f);
         for (uint axis = 0; axis < 3; ++axis) {
-            const floatv a = load_lanes(corner[axis] + at), b = load_lanes(corner[3 + axis] + at),
-                         c = load_lanes(corner[6 + axis] + at);
+            const floatv a = corners->row[0][axis][v], b = corners->row[1][axis][v],
+                         c = corners->row[2][axis][v];
             low[axis][v] = lesser(a, lesser(b, c));
             high[axis][v] = greater(a, greater(b, c));
             largest = greater(fabs(low[axis][v]), greater(fabs(high[axis][v]), largest));
@@ -75,13 +79,13 @@ static void bound_triangles(float corner[9][16], __global float* group, float* a
         for (uint axis = 0; axis < 3; ++axis) {
             low[axis][v] = select((floatv)(INFINITY), low[axis][v] - pad, is_finite);
             high[axis][v] = select((floatv)(-INFINITY), high[axis][v] + pad, is_finite);
-            store_lanes(low[axis][v], group + 16 * axis + at);
-            store_lanes(high[axis][v], group + 48 + 16 * axis + at);
+            store_lanes(low[axis][v], group + 16 * axis + RSH_WIDTH * v);
+            store_lanes(high[axis][v], group + 48 + 16 * axis + RSH_WIDTH * v);
         }
     }
     for (uint axis = 0; axis < 3; ++axis) {
-        around[axis] = lowest(low[axis]);
-        around[3 + axis] = highest(high[axis]);
+        around[axis] = smallest_lane(low[axis]);
+        around[3 + axis] = largest_lane(high[axis]);
     }
 }
 
@@ -99,9 +103,9 @@ __kernel void rsh_bound_triangles(rsh_mesh mesh, __global const float* vertices,
         float around[6];
         clear_box(around);
         if (cluster < clusters) {
-            float corner[9][16];
-            load_corners(mesh, vertices, indices, 16 * cluster, corner);
-            bound_triangles(corner, groups + 96ul * cluster, around);
+            rsh_corner_rows corners;
+            load_corners(mesh, vertices, indices, 16 * cluster, &corners);
+            bound_triangles(&corners, groups + 96ul * cluster, around);
         }
         for (uint f = 0; f < 6; ++f) row[f][k] = around[f];
     }
@@ -122,11 +126,15 @@ __kernel void rsh_bound_groups(rsh_box_levels shape, uint level, __global float*
         clear_box(around);
         if (16 * me + k < count) {
             __global const float* in = groups + 96ul * (levels.first_group[level - 1] + 16 * me + k);
-            for (uint axis = 0; axis < 3; ++axis)
-                for (uint lane = 0; lane < 16; ++lane) {
-                    around[axis] = fmin(around[axis], in[16 * axis + lane]);
-                    around[3 + axis] = fmax(around[3 + axis], in[48 + 16 * axis + lane]);
+            for (uint axis = 0; axis < 3; ++axis) {
+                floatv low[RSH_VECTORS], high[RSH_VECTORS];
+                for (uint v = 0; v < RSH_VECTORS; ++v) {
+                    low[v] = load_lanes(in + 16 * axis + RSH_WIDTH * v);
+                    high[v] = load_lanes(in + 48 + 16 * axis + RSH_WIDTH * v);
                 }
+                around[axis] = smallest_lane(low);
+                around[3 + axis] = largest_lane(high);
+            }
         }
         for (uint f = 0; f < 6; ++f) out[16 * f + k] = around[f];
     }

@@ -24,14 +24,13 @@
 #ifndef RSH_BOX_H
 #define RSH_BOX_H
 
-#include "geometry.h"
+#include "ray_block.h"
 
-#define RSH_VECTORS (16 / RSH_WIDTH)
 #define RSH_RAISED (1.0f + 0x1p-19f)
 
-/* The smaller, the larger; the second where the first is NaN. */
-static floatv lesser(floatv a, floatv b) { return select(b, a, a < b); }
-static floatv greater(floatv a, floatv b) { return select(b, a, a > b); }
+/* Rows of rsh_node_group: origin low, high, direction low, high (3 each), tmax,
+ * is_converging. */
+#define RSH_NODE_ROWS 14
 
 static float pad_of(float largest) { return 0x1p-18f * largest + 0x1p-124f; }
 
@@ -97,9 +96,10 @@ typedef struct rsh_bundles {
     floatv limit[RSH_VECTORS];
 } rsh_bundles;
 
-/* Which of the 16 bundles can meet the box. sign: that of all their directions per axis, or 0. */
-static uint bundles_meeting(const rsh_bundles* nodes, const int* sign, const float* low,
-                            const float* high)
+/* Which of the 16 bundles can meet the box, of those that `common` encloses; the others' bits
+ * say nothing. */
+static uint bundles_meeting(const rsh_bundles* nodes, const rsh_bundle* common,
+                            const float* low, const float* high)
 {
     uint met = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -109,9 +109,10 @@ static uint bundles_meeting(const rsh_bundles* nodes, const int* sign, const flo
             const floatv near_inverse = nodes->near_inverse[axis][v];
             const floatv far_origin = nodes->far_origin[axis][v];
             const floatv far_inverse = nodes->far_inverse[axis][v];
-            if (sign[axis]) {
-                const float near = sign[axis] > 0 ? low[axis] : high[axis];
-                const float far = sign[axis] > 0 ? high[axis] : low[axis];
+            const int sign = common->slab[axis].sign;
+            if (sign) {
+                const float near = sign > 0 ? low[axis] : high[axis];
+                const float far = sign > 0 ? high[axis] : low[axis];
                 from = greater((near - near_origin) * near_inverse, from);
                 to = lesser((far - far_origin) * far_inverse, to);
                 continue;

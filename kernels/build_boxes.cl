@@ -7,67 +7,111 @@
 #include "box.h"
 #include "tile.h"
 
-/* Rows of a group: origin low, high, direction low, high (3 each), tmax, is_converging. */
-#define RSH_NODE_ROWS 14
-
-/* Rays of a block, both ends of their ranges: x y z of the origin, -, x y z of the direction, -.
- */
-typedef struct rsh_range {
-    float8 low, high;
-    float largest; /* origin component that the padding must cover */
-    float tmax;    /* negative: no active ray */
-} rsh_range;
-
-static void add_ray(rsh_range* range, rsh_ray ray, uint is_converging)
+static float smallest_active(const rsh_ray_block* block, const floatv* row)
 {
-    if (!is_active(ray)) return;
-    float8 r = (float8)(ray.origin_tmin, ray.direction_tmax);
-    float tmax = ray.direction_tmax.w;
-    const float4 o = fabs(ray.origin_tmin);
-    range->largest = fmax(range->largest, fmax(o.x, fmax(o.y, o.z)));
-    if (is_converging) {
-        const float4 end = ray.origin_tmin + ray.direction_tmax;
-        if (!(tmax <= 1.0f) || !is_finite3(end.xyz)) {
-            range->low = (float8)(-INFINITY);
-            range->high = (float8)(INFINITY);
+    floatv v[RSH_VECTORS];
+    for (uint i = 0; i < RSH_VECTORS; ++i)
+        v[i] = select((floatv)(INFINITY), row[i], block->is_active[i]);
+    return smallest_lane(v);
+}
+
+static float largest_active(const rsh_ray_block* block, const floatv* row)
+{
+    floatv v[RSH_VECTORS];
+    for (uint i = 0; i < RSH_VECTORS; ++i)
+        v[i] = select((floatv)(-INFINITY), row[i], block->is_active[i]);
+    return largest_lane(v);
+}
+
+/* The origins' largest component, in size. */
+static float reach_of(float low, float high) { return fmax(fabs(low), fabs(high)); }
+
+/* The same rays from their points at t = 1 backwards: where they run towards one point, the box
+ * of these is the smallest. Every point with 0 <= t <= 1 lies that way; a ray that goes on, or
+ * whose end overflows, gets the box of all directions, from everywhere. The end rounds by u of
+ * itself, which the padding has room for. */
+static void reverse_rays(rsh_ray_block* block)
+{
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        intv is_bounded = block->row[RSH_TMAX][v] <= (floatv)(1.0f);
+        for (uint axis = 0; axis < 3; ++axis) {
+            const floatv d = block->row[RSH_DIRECTION + axis][v];
+            block->row[axis][v] += d;
+            block->row[RSH_DIRECTION + axis][v] = -d;
+            is_bounded &= fabs(block->row[axis][v]) < (floatv)(INFINITY);
         }
-        r = (float8)(end, -ray.direction_tmax);
-        tmax = 1.0f;
-        const float4 e = fabs(end);
-        range->largest = fmax(range->largest, fmax(e.x, fmax(e.y, e.z)));
+        /* Only its lanes that are active count: NaN there makes the node universal. */
+        const intv is_lost = block->is_active[v] & (is_bounded == (intv)(0));
+        block->row[0][v] = select(block->row[0][v], (floatv)(NAN), is_lost);
+        block->row[RSH_TMAX][v] = (floatv)(1.0f);
     }
-    range->low = fmin(range->low, r);
-    range->high = fmax(range->high, r);
-    range->tmax = fmax(range->tmax, tmax);
+}
+
+static bool any_lost(const rsh_ray_block* block)
+{
+    bool lost = false;
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        lost |= any_lane(block->is_active[v] & (block->row[0][v] != block->row[0][v]));
+    return lost;
+}
+
+typedef struct rsh_node_rows {
+    float row[RSH_NODE_ROWS][16];
+} rsh_node_rows;
+
+/* Rows of node b from its rays. */
+static void bound_block(rsh_ray_block* block, uint is_converging, uint b, rsh_node_rows* rows)
+{
+    float reach = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis)
+        reach = fmax(reach, reach_of(smallest_active(block, block->row[axis]),
+                                     largest_active(block, block->row[axis])));
+    if (is_converging) reverse_rays(block);
+    const bool is_universal = is_converging && any_lost(block);
+    float low[3], high[3];
+    for (uint axis = 0; axis < 3; ++axis) {
+        low[axis] = is_universal ? -INFINITY : smallest_active(block, block->row[axis]);
+        high[axis] = is_universal ? INFINITY : largest_active(block, block->row[axis]);
+        reach = fmax(reach, reach_of(low[axis], high[axis]));
+    }
+    const float pad = is_universal ? 0.0f : pad_of(reach);
+    for (uint axis = 0; axis < 3; ++axis) {
+        const floatv* direction = block->row[RSH_DIRECTION + axis];
+        rows->row[axis][b] = low[axis] - pad;
+        rows->row[3 + axis][b] = high[axis] + pad;
+        rows->row[6 + axis][b] = is_universal ? -INFINITY : smallest_active(block, direction);
+        rows->row[9 + axis][b] = is_universal ? INFINITY : largest_active(block, direction);
+    }
+    rows->row[12][b] = largest_active(block, block->row[RSH_TMAX]);
+}
+
+static void clear_node(uint b, rsh_node_rows* rows)
+{
+    for (uint f = 0; f < 6; ++f) {
+        const float bound = f < 3 ? INFINITY : -INFINITY;
+        rows->row[f][b] = rows->row[6 + f][b] = bound;
+    }
+    rows->row[12][b] = -1.0f;
 }
 
 __kernel void rsh_build_blocks(rsh_levels shape, __global const rsh_ray* rays,
                                uint is_converging, __global float* groups)
 {
     const uint me = get_global_id(0);
-    if (me >= tile_count(shape)) return;
+    if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
     const rsh_tile tile = tile_at(shape, me);
-    float rows[RSH_NODE_ROWS][16];
+    rsh_node_rows rows;
     for (uint b = 0; b < 16; ++b) {
-        rsh_range range = {(float8)(INFINITY), (float8)(-INFINITY), 0.0f, -1.0f};
-        for (uint k = 0; k < 16; ++k) {
-            const uint i = ray_of(tile, b, k);
-            if (i != RSH_NO_RAY) add_ray(&range, rays[i], is_converging);
-        }
-        float low[8], high[8];
-        vstore8(range.low, 0, low);
-        vstore8(range.high, 0, high);
-        const float pad = pad_of(range.largest);
-        for (uint axis = 0; axis < 3; ++axis) {
-            rows[axis][b] = low[axis] - pad;
-            rows[3 + axis][b] = high[axis] + pad;
-            rows[6 + axis][b] = low[4 + axis];
-            rows[9 + axis][b] = high[4 + axis];
-        }
-        rows[12][b] = range.tmax;
-        rows[13][b] = as_float(is_converging);
+        rsh_ray_block block;
+        load_rays(tile, b, rays, &block);
+        rows.row[13][b] = as_float(is_converging);
+        if (active_lanes(&block))
+            bound_block(&block, is_converging, b, &rows);
+        else
+            clear_node(b, &rows);
     }
     __global float* out = groups + 16ul * RSH_NODE_ROWS * me;
     for (uint f = 0; f < RSH_NODE_ROWS; ++f)
-        for (uint b = 0; b < 16; ++b) out[16 * f + b] = rows[f][b];
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            store_lanes(load_lanes(rows.row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);
 }

@@ -32,4 +32,10 @@ static uint ray_of(rsh_tile tile, uint block, uint k)
     return x < tile.width && y < tile.height ? y * tile.width + x : RSH_NO_RAY;
 }
 
+/* All sixteen rays of the block are there: four in a row each. */
+static bool is_whole(rsh_tile tile, uint block)
+{
+    return ray_of(tile, block, 15) != RSH_NO_RAY;
+}
+
 #endif

@@ -1,374 +1,221 @@
-/* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes front to back, its 16
- * blocks of rays last.
- *   groups     in      boxes of triangles, clusters, clusters of clusters (bound_boxes.cl)
- *   nodes      in      blocks of the tile (build_boxes.cl)
+/* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes of the scene front to back,
+ * triangles and single rays last.
+ *   boxes      in      of triangles, clusters, clusters of clusters (bound_boxes.cl)
+ *   nodes      in      blocks of the tiles (build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
- * No stream leaves the work-item; what it needs is known beforehand: a stack of 15 boxes per
- * level.
+ * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of 15
+ * boxes per level. Whatever a decision below costs or saves, it only leaves out tests that
+ * cannot succeed.
  */
-#include "box.h"
-#include "intersect.h"
-#include "tile.h"
+#include "tile_block.h"
 
-#define RSH_NODE_ROWS 14
 #define RSH_STACK (15 * RSH_MAX_BOX_LEVELS + 1)
 
-/* 16 rays; tmax is lowered to the closest hit so far. */
-typedef struct rsh_block {
-    rsh_sheared ray[RSH_VECTORS];
-    floatv inverse[3][RSH_VECTORS]; /* of the direction */
-    intv is_negative[3][RSH_VECTORS];
-    floatv u[RSH_VECTORS], v[RSH_VECTORS];
-    uintv primitive[RSH_VECTORS];
-    float pad;     /* of the origins; negative: a direction too small to divide by */
-    uint axis;     /* kz of all rays; 3: they differ */
-    rsh_bundle bundle;
-} rsh_block;
+/* More triangles of a cluster than this are worth asking each ray first. */
+#define RSH_MANY_TRIANGLES 4
+/* Up to so many blocks look at a cluster's triangles on their own. */
+#define RSH_FEW_BLOCKS 3
+/* A bundle is loose when it crosses this much more of the scene than its parts together. */
+#define RSH_LOOSE 3.0f
 
-typedef struct rsh_scene_in {
+typedef struct rsh_geometry_in {
     rsh_mesh mesh;
     __global const float* vertices;
     __global const uint* indices;
-    __global const float* groups;
-} rsh_scene_in;
+    __global const float* boxes;
+    rsh_box_levels levels;
+} rsh_geometry_in;
 
 typedef struct rsh_work {
-    rsh_tile tile;
+    const rsh_geometry_in* scene;
     __global const rsh_ray* rays;
-    __global const float* nodes;
-    uint any;
-    uint fixed; /* limits of nodes do not shrink: reversed rays */
-    uint loaded;
-    int sign[3];     /* of the blocks' directions, where all have one */
-    int ray_sign[3]; /* of the rays' */
-    rsh_bundle bundle;
+    __global const float* nodes; /* of the tile */
+    rsh_tile tile;
+    bool is_any;
+    bool is_converging; /* nodes run backwards: a hit is no limit to them */
+    uint loaded;        /* blocks */
     rsh_bundles blocks;
     rsh_block block[16];
-    uint stats[8];
+    uint node_tests, ray_tests;
 } rsh_work;
 
+/* What goes down the boxes together: some blocks of the tile, or one ray. */
+typedef struct rsh_probe {
+    rsh_bundle bundle;
+    uint blocks;     /* bit mask */
+    uint ray;        /* of the only block; 16: all its rays */
+    int ray_sign[3]; /* that of all its rays per axis, or 0 */
+} rsh_probe;
+
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
+static bool is_single(uint bits) { return (bits & (bits - 1)) == 0; }
 
-#if RSH_WIDTH == 16
-#define RSH_LARGEST(name, OP)                                        \
-    static float name(const floatv* v)                               \
-    {                                                                \
-        const float8 a = OP(v[0].lo, v[0].hi);                       \
-        const float4 b = OP(a.lo, a.hi);                             \
-        const float2 c = OP(b.lo, b.hi);                             \
-        return OP(c.x, c.y);                                         \
-    }
-#else
-#define RSH_LARGEST(name, OP)                                                          \
-    static float name(const floatv* v)                                                 \
-    {                                                                                  \
-        float lane[16];                                                                \
-        for (uint i = 0; i < RSH_VECTORS; ++i) store_lanes(v[i], lane + RSH_WIDTH * i); \
-        float all = lane[0];                                                           \
-        for (uint i = 1; i < 16; ++i) all = OP(all, lane[i]);                          \
-        return all;                                                                    \
-    }
-#endif
-RSH_LARGEST(largest_lane, fmax)
-RSH_LARGEST(smallest_lane, fmin)
-
-/* kz, where all rays have the same. */
-static uint common_axis(const rsh_sheared* ray)
+static rsh_block* block_of(rsh_work* work, uint b)
 {
-    uint is_x = 0, is_y = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        is_x |= RSH_LANE_BITS(ray[v].kz_is_x) << (RSH_WIDTH * v);
-        is_y |= RSH_LANE_BITS(ray[v].kz_is_y) << (RSH_WIDTH * v);
-    }
-    return is_x == 0xffff ? 0 : is_y == 0xffff ? 1 : is_x == 0 && is_y == 0 ? 2 : 3;
-}
-
-static void load_block(rsh_work* work, uint b)
-{
-    float lanes[8][16];
     rsh_block* block = &work->block[b];
-    float largest = 0.0f;
-    bool is_tiny = false;
-    uint other = 0;
-    for (uint k = 0; k < 16; ++k) {
-        const uint i = ray_of(work->tile, b, k);
-        const rsh_ray ray = work->rays[i == RSH_NO_RAY ? 0 : i];
-        const bool is_used = i != RSH_NO_RAY && is_active(ray);
-        float row[8];
-        vstore8((float8)(ray.origin_tmin, ray.direction_tmax), 0, row);
-        for (uint f = 0; f < 8; ++f) lanes[f][k] = row[f];
-        if (!is_used) {
-            lanes[7][k] = -1.0f;
-            continue;
-        }
-        for (uint axis = 0; axis < 3; ++axis) {
-            largest = fmax(largest, fabs(row[axis]));
-            is_tiny |= row[4 + axis] != 0.0f && fabs(row[4 + axis]) < 0x1p-120f;
-        }
-        other = k;
-    }
-    for (uint k = 0; k < 16; ++k)
-        if (lanes[7][k] < 0.0f)
-            for (uint f = 4; f < 7; ++f) lanes[f][k] = lanes[f][other];
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const uint at = RSH_WIDTH * v;
-        block->ray[v] = shear_rays(load_lanes(lanes[0] + at), load_lanes(lanes[1] + at),
-                                   load_lanes(lanes[2] + at), load_lanes(lanes[4] + at),
-                                   load_lanes(lanes[5] + at), load_lanes(lanes[6] + at),
-                                   load_lanes(lanes[3] + at), load_lanes(lanes[7] + at));
-        block->primitive[v] = (uintv)(RSH_NO_HIT);
-        block->u[v] = block->v[v] = (floatv)(0.0f);
-        for (uint axis = 0; axis < 3; ++axis) {
-            const floatv d = load_lanes(lanes[4 + axis] + at);
-            block->is_negative[axis][v] = d < (floatv)(0.0f);
-            block->inverse[axis][v] = (floatv)(1.0f) / (d + (floatv)(0.0f));
-        }
-    }
-    block->pad = is_tiny ? -1.0f : pad_of(largest);
-    block->axis = common_axis(block->ray);
+    if (work->loaded >> b & 1) return block;
+    load_block(block, work->tile, b, work->rays);
     for (uint axis = 0; axis < 3; ++axis)
         block->bundle.slab[axis] =
             slab_of(work->nodes[16 * axis + b], work->nodes[48 + 16 * axis + b],
                     work->nodes[96 + 16 * axis + b], work->nodes[144 + 16 * axis + b]);
     work->loaded |= 1u << b;
+    return block;
 }
 
-/* Which rays of the block meet the box. */
-static uint rays_meeting(const rsh_block* block, const int* sign, const float* box_low,
-                         const float* box_high)
+/* The block as a node; to be asked at once, before its limit changes. */
+static const rsh_bundle* block_bundle(rsh_work* work, uint b)
 {
-    uint met = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const rsh_sheared r = block->ray[v];
-        const floatv origin[3] = {r.origin_x, r.origin_y, r.origin_z};
-        floatv from = (floatv)(0.0f), to = r.tmax;
-        for (uint axis = 0; axis < 3; ++axis) {
-            const float low = box_low[axis] - block->pad, high = box_high[axis] + block->pad;
-            const floatv inverse = block->inverse[axis][v];
-            if (sign[axis]) {
-                const float near = sign[axis] > 0 ? low : high;
-                const float far = sign[axis] > 0 ? high : low;
-                from = greater((near - origin[axis]) * inverse, from);
-                to = lesser((far - origin[axis]) * inverse, to);
-            } else {
-                const intv is_negative = block->is_negative[axis][v];
-                const floatv near = select((floatv)(low), (floatv)(high), is_negative);
-                const floatv far = select((floatv)(high), (floatv)(low), is_negative);
-                from = greater((near - origin[axis]) * inverse, from);
-                to = lesser((far - origin[axis]) * inverse, to);
-            }
-        }
-        met |= RSH_LANE_BITS(from <= to * RSH_RAISED) << (RSH_WIDTH * v);
-    }
-    return met;
-}
-
-static rsh_bundle ray_bundle(const rsh_block* block, uint k)
-{
-    rsh_bundle bundle;
-    const float* o[3] = {(const float*)&block->ray[k / RSH_WIDTH].origin_x, (const float*)&block->ray[k / RSH_WIDTH].origin_y, (const float*)&block->ray[k / RSH_WIDTH].origin_z};
-    for (uint axis = 0; axis < 3; ++axis) {
-        const float inverse = ((const float*)block->inverse[axis])[k];
-        const float origin = o[axis][k % RSH_WIDTH];
-        const bool neg = inverse < 0.0f;
-        bundle.slab[axis] = (rsh_slab){neg ? origin - block->pad : origin + block->pad, inverse, neg ? origin + block->pad : origin - block->pad,
-                                       inverse * RSH_RAISED, neg ? -1 : 1};
-    }
-    bundle.limit = ((const float*)&block->ray[k / RSH_WIDTH].tmax)[k % RSH_WIDTH] * RSH_RAISED;
+    rsh_bundle* bundle = &block_of(work, b)->bundle;
+    bundle->limit = lane_of(work->blocks.limit, b);
     return bundle;
 }
 
-static bool begin_tile(rsh_work* work, __global const float* nodes)
+static __global const float* group_of(const rsh_geometry_in* scene, uint level, uint group)
 {
-    rsh_bundles* blocks = &work->blocks;
-    floatv row[4][RSH_VECTORS];
-    work->nodes = nodes;
-    for (uint v = 0; v < RSH_VECTORS; ++v)
-        blocks->limit[v] = load_lanes(nodes + 16 * 12 + RSH_WIDTH * v) * RSH_RAISED;
-    work->bundle.limit = largest_lane(blocks->limit);
-    work->loaded = 0;
-    work->fixed = as_uint(nodes[16 * 13]);
-    if (!(work->bundle.limit >= 0.0f)) return false;
+    return scene->boxes + 96ul * (scene->levels.first_group[level] + group);
+}
+
+/* Boxes of a group that exist. */
+static uint boxes_of(uint count, uint group)
+{
+    const uint left = count - 16 * group;
+    return left < 16 ? (1u << left) - 1 : 0xffffu;
+}
+
+static void load_box(__global const float* group, uint k, float* low, float* high)
+{
     for (uint axis = 0; axis < 3; ++axis) {
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
-            for (uint f = 0; f < 4; ++f)
-                row[f][v] = load_lanes(nodes + 16 * (3 * f + axis) + RSH_WIDTH * v);
-            set_bundles_axis(blocks, axis, v, row[0][v], row[1][v], row[2][v], row[3][v]);
-        }
-        work->bundle.slab[axis] = slab_of(smallest_lane(row[0]), largest_lane(row[1]),
-                                          smallest_lane(row[2]), largest_lane(row[3]));
-        work->sign[axis] = work->bundle.slab[axis].sign;
-        work->ray_sign[axis] = work->fixed ? -work->sign[axis] : work->sign[axis];
+        low[axis] = group[16 * axis + k];
+        high[axis] = group[48 + 16 * axis + k];
     }
-    return true;
 }
 
-static void set_limit(rsh_work* work, uint b)
+/* How far the probe still has to look. */
+static void lower_limit(rsh_work* work, rsh_probe* probe)
 {
-    rsh_block* block = &work->block[b];
-    floatv tmax[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) tmax[v] = block->ray[v].tmax;
-    const float limit = largest_lane(tmax) * RSH_RAISED;
-    if (work->fixed && limit >= 0.0f) return;
-    ((float*)work->blocks.limit)[b] = limit;
+    if (is_single(probe->blocks)) {
+        const uint b = lowest_bit(probe->blocks);
+        probe->bundle.limit =
+            probe->ray < 16
+                ? lane_of(&work->block[b].ray[probe->ray / RSH_WIDTH].tmax,
+                          probe->ray % RSH_WIDTH) *
+                      RSH_RAISED
+                : lane_of(work->blocks.limit, b);
+        return;
+    }
+    floatv limit[RSH_VECTORS];
+    for (uint v = 0; v < RSH_VECTORS; ++v) limit[v] = work->blocks.limit[v];
+    for (uint b = 0; b < 16; ++b)
+        if (!(probe->blocks >> b & 1)) ((float*)limit)[b] = -1.0f;
+    probe->bundle.limit = largest_lane(limit);
 }
 
-/* The corners of a cluster's triangles, fetched when first needed. */
-typedef struct rsh_corners {
-    uint loaded;
-    float corner[16][9];
-    float scale[16];
-} rsh_corners;
-
-static void load_corners_of(rsh_corners* corners, const rsh_scene_in* scene, uint cluster, uint k)
+static void update_limits(rsh_work* work, rsh_probe* probe, uint changed)
 {
-    rsh_triangle p;
-    load_triangle(scene->mesh, scene->vertices, scene->indices, 16 * cluster + k, &p);
-    float* c = corners->corner[k];
-    c[0] = p.v0.x;
-    c[1] = p.v0.y;
-    c[2] = p.v0.z;
-    c[3] = p.v1.x;
-    c[4] = p.v1.y;
-    c[5] = p.v1.z;
-    c[6] = p.v2.x;
-    c[7] = p.v2.y;
-    c[8] = p.v2.z;
-    float size = 0.0f;
-    for (int axis = 0; axis < 3; ++axis)
-        size = fmax(size, fmax(fabs(c[3 + axis] - c[axis]), fabs(c[6 + axis] - c[axis])));
-    const int exponent = as_int(size) & 0x7f800000;
-    corners->scale[k] = size >= 0x1p-20f && size <= 0x1p20f ? 1.0f : as_float(0x7f000000 - min(exponent, 0x7e800000));
-    corners->loaded |= 1u << k;
+    for (; changed; changed &= changed - 1) {
+        const uint b = lowest_bit(changed);
+        const float limit = block_limit(&work->block[b]);
+        if (!work->is_converging || limit < 0.0f) ((float*)work->blocks.limit)[b] = limit;
+    }
+    lower_limit(work, probe);
 }
 
-#define SEE_ALONG(ox, oy, oz, i, x, y, z, px, py, pz)     \
-    do {                                                  \
-        pz = (floatv)(c[3 * i + z]) - oz;                 \
-        px = ((floatv)(c[3 * i + x]) - ox) - r.slope_x * pz;        \
-        py = ((floatv)(c[3 * i + y]) - oy) - r.slope_y * pz;        \
-    } while (0)
-
-static rsh_seen see_along(rsh_sheared r, floatv ox, floatv oy, floatv oz, const float* c, uint x,
-                          uint y, uint z)
+/* Triangles of a cluster that some ray of the block meets, where that leaves fewer. */
+static uint triangles_met_by_rays(rsh_work* work, const rsh_probe* probe, rsh_block* block,
+                                  __global const float* cluster, const float* low,
+                                  const float* high, uint triangles)
 {
-    rsh_seen s;
-    SEE_ALONG(ox, oy, oz, 0, x, y, z, s.ax, s.ay, s.az);
-    SEE_ALONG(ox, oy, oz, 1, x, y, z, s.bx, s.by, s.bz);
-    SEE_ALONG(ox, oy, oz, 2, x, y, z, s.cx, s.cy, s.cz);
-    return s;
+    work->node_tests += 16;
+    uint rays = rays_meeting(block, probe->ray_sign, low, high);
+    if (popcount(rays) + 2 >= popcount(triangles)) return triangles;
+    uint met = 0;
+    for (; rays; rays &= rays - 1) {
+        const rsh_bundle ray = ray_bundle(block, lowest_bit(rays));
+        work->node_tests += 16;
+        met |= boxes_met(&ray, cluster, 0);
+    }
+    return triangles & met;
 }
 
-static rsh_seen see_triangle(rsh_sheared r, uint axis, const float* c)
+/* The triangles of one cluster that were needed so far. */
+typedef struct rsh_cluster {
+    uint number;
+    uint fetched;
+    rsh_corners corners[16];
+} rsh_cluster;
+
+static bool intersect_triangle(rsh_work* work, rsh_cluster* cluster, uint k, uint b)
 {
-    if (axis == 0) return see_along(r, r.origin_y, r.origin_z, r.origin_x, c, 1, 2, 0);
-    if (axis == 1) return see_along(r, r.origin_z, r.origin_x, r.origin_y, c, 2, 0, 1);
-    if (axis == 2) return see_along(r, r.origin_x, r.origin_y, r.origin_z, c, 0, 1, 2);
-    floatv corner[9];
-    for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(c[i]);
-    return see_corners(r, corner);
+    const rsh_geometry_in* scene = work->scene;
+    const uint triangle = 16 * cluster->number + k;
+    if (!(cluster->fetched >> k & 1)) {
+        fetch_corners(&cluster->corners[k], scene->mesh, scene->vertices, scene->indices,
+                      triangle);
+        cluster->fetched |= 1u << k;
+    }
+    work->ray_tests += 16;
+    return intersect_block(block_of(work, b), &cluster->corners[k], triangle, work->is_any);
 }
 
-/* True if a ray of the block has a closer hit now. */
-static bool intersect_block(rsh_work* work, uint b, rsh_corners* corners,
-                            const rsh_scene_in* scene, uint cluster, uint k)
+/* Few blocks: each looks for its own triangles. */
+static uint intersect_by_block(rsh_work* work, const rsh_probe* probe, rsh_cluster* cluster,
+                               uint blocks, uint triangles, const float* low, const float* high)
 {
-    if (!(corners->loaded >> k & 1)) load_corners_of(corners, scene, cluster, k);
-    work->stats[3]++;
-    const uint triangle = 16 * cluster + k;
-    rsh_block* block = &work->block[b];
-    bool changed = false;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        rsh_seen seen = see_triangle(block->ray[v], block->axis, corners->corner[k]);
-        if (corners->scale[k] != 1.0f) scale_across(&seen, (floatv)(corners->scale[k]));
-        const rsh_hits hits = cut(block->ray[v], seen);
-        const intv is_better =
-            hits.is_hit & ((hits.t < block->ray[v].tmax) |
-                           ((uintv)(triangle) < block->primitive[v]));
-        if (!any_lane(is_better)) continue;
-        changed = true;
-        block->ray[v].tmax =
-            select(block->ray[v].tmax, work->any ? (floatv)(-1.0f) : hits.t, is_better);
-        block->u[v] = select(block->u[v], hits.u, is_better);
-        block->v[v] = select(block->v[v], hits.v, is_better);
-        block->primitive[v] = select(block->primitive[v], (uintv)(triangle), as_uintv(is_better));
+    __global const float* boxes = group_of(work->scene, 0, cluster->number);
+    uint changed = 0;
+    for (; blocks; blocks &= blocks - 1) {
+        const uint b = lowest_bit(blocks);
+        rsh_block* block = block_of(work, b);
+        const rsh_bundle* bundle =
+            is_single(probe->blocks) ? &probe->bundle : block_bundle(work, b);
+        work->node_tests += 16;
+        uint mine = boxes_met(bundle, boxes, 0) & triangles;
+        if (popcount(mine) > RSH_MANY_TRIANGLES && block->is_fit && probe->ray == 16)
+            mine = triangles_met_by_rays(work, probe, block, boxes, low, high, mine);
+        for (; mine; mine &= mine - 1)
+            if (intersect_triangle(work, cluster, lowest_bit(mine), b)) changed |= 1u << b;
     }
     return changed;
 }
 
-#ifndef KMIN
-#define KMIN 4
-#endif
-#ifndef BMIN
-#define BMIN 3
-#endif
-static void intersect_cluster(rsh_work* work, const rsh_scene_in* scene, uint cluster, uint met,
+/* Many blocks: each triangle looks for its own. */
+static uint intersect_by_triangle(rsh_work* work, const rsh_probe* probe, rsh_cluster* cluster,
+                                  uint blocks, uint triangles)
+{
+    __global const float* boxes = group_of(work->scene, 0, cluster->number);
+    uint changed = 0;
+    for (; triangles; triangles &= triangles - 1) {
+        const uint k = lowest_bit(triangles);
+        float low[3], high[3];
+        load_box(boxes, k, low, high);
+        work->node_tests += 16;
+        uint met = bundles_meeting(&work->blocks, &probe->bundle, low, high) & blocks;
+        for (; met; met &= met - 1) {
+            const uint b = lowest_bit(met);
+            if (intersect_triangle(work, cluster, k, b)) changed |= 1u << b;
+        }
+    }
+    return changed;
+}
+
+static void intersect_cluster(rsh_work* work, rsh_probe* probe, uint number, uint blocks,
                               const float* low, const float* high)
 {
-    __global const float* group = scene->groups + 96ul * cluster;
-    const uint left = scene->mesh.triangle_count - 16 * cluster;
-    const uint valid = left < 16 ? (1u << left) - 1 : 0xffffu;
-    uint changed = 0;
-    rsh_corners corners;
-    corners.loaded = 0;
-    uint triangles = valid;
-    if (popcount(met) > BMIN) triangles &= boxes_met(&work->bundle, group, 0);
-    if (popcount(triangles) < popcount(met)) {
-        while (triangles) {
-            const uint k = lowest_bit(triangles);
-            triangles &= triangles - 1;
-            float tlow[3], thigh[3];
-            for (uint axis = 0; axis < 3; ++axis) {
-                tlow[axis] = group[16 * axis + k];
-                thigh[axis] = group[48 + 16 * axis + k];
-            }
-            work->stats[2]++;
-            uint blocks = bundles_meeting(&work->blocks, work->sign, tlow, thigh) & met;
-            while (blocks) {
-                const uint b = lowest_bit(blocks);
-                blocks &= blocks - 1;
-                if (!(work->loaded >> b & 1)) load_block(work, b);
-                if (intersect_block(work, b, &corners, scene, cluster, k)) changed |= 1u << b;
-            }
-        }
-    } else
-        while (met) {
-            const uint b = lowest_bit(met);
-            met &= met - 1;
-            if (!(work->loaded >> b & 1)) load_block(work, b);
-            rsh_block* block = &work->block[b];
-            block->bundle.limit = ((const float*)work->blocks.limit)[b];
-            work->stats[4]++;
-            uint mine = boxes_met(&block->bundle, group, 0) & triangles;
-            if (popcount(mine) > KMIN && block->pad >= 0.0f) {
-                uint rays = rays_meeting(block, work->ray_sign, low, high);
-                work->stats[5]++;
-                if (popcount(rays) < popcount(mine) - 2) {
-                    uint some = 0;
-                    while (rays) {
-                        const uint k = lowest_bit(rays);
-                        rays &= rays - 1;
-                        const rsh_bundle bundle = ray_bundle(block, k);
-                        some |= boxes_met(&bundle, group, 0);
-                        work->stats[6]++;
-                    }
-                    mine &= some;
-                }
-            }
-            while (mine) {
-                const uint k = lowest_bit(mine);
-                mine &= mine - 1;
-                if (intersect_block(work, b, &corners, scene, cluster, k)) changed |= 1u << b;
-            }
-        }
-    if (!changed) return;
-    while (changed) {
-        const uint b = lowest_bit(changed);
-        changed &= changed - 1;
-        set_limit(work, b);
+    rsh_cluster cluster;
+    cluster.number = number;
+    cluster.fetched = 0;
+    uint triangles = boxes_of(work->scene->mesh.triangle_count, number);
+    if (popcount(blocks) > RSH_FEW_BLOCKS) {
+        work->node_tests += 16;
+        triangles &= boxes_met(&probe->bundle, group_of(work->scene, 0, number), 0);
     }
-    work->bundle.limit = largest_lane(work->blocks.limit);
+    const uint changed =
+        popcount(triangles) < popcount(blocks)
+            ? intersect_by_triangle(work, probe, &cluster, blocks, triangles)
+            : intersect_by_block(work, probe, &cluster, blocks, triangles, low, high);
+    if (changed) update_limits(work, probe, changed);
 }
 
 typedef struct rsh_stack {
@@ -377,20 +224,17 @@ typedef struct rsh_stack {
     uint box[RSH_STACK]; /* level * 2^28 + number */
 } rsh_stack;
 
-/* The boxes of a group that the tile can meet, the nearest on top. */
-static void push_group(rsh_stack* stack, rsh_work* work, const rsh_bundle* bundle,
-                       const rsh_box_levels* levels, __global const float* groups, uint level,
+/* The boxes of a group that the bundle can meet, the nearest on top. */
+static void push_group(rsh_stack* stack, rsh_work* work, const rsh_bundle* bundle, uint level,
                        uint group)
 {
     float near[16];
-    uint met = boxes_met(bundle, groups + 96ul * (levels->first_group[level] + group), near);
-    work->stats[0]++;
-    const uint left = levels->boxes[level] - 16 * group;
-    if (left < 16) met &= (1u << left) - 1;
+    work->node_tests += 16;
+    uint met = boxes_met(bundle, group_of(work->scene, level, group), near) &
+               boxes_of(work->scene->levels.boxes[level], group);
     const uint bottom = stack->size;
-    while (met) {
+    for (; met; met &= met - 1) {
         const uint k = lowest_bit(met);
-        met &= met - 1;
         uint at = stack->size++;
         for (; at > bottom && stack->near[at - 1] < near[k]; --at) {
             stack->near[at] = stack->near[at - 1];
@@ -401,89 +245,196 @@ static void push_group(rsh_stack* stack, rsh_work* work, const rsh_bundle* bundl
     }
 }
 
-static void traverse_tile(rsh_work* work, const rsh_scene_in* scene, const rsh_box_levels* levels)
+static void visit_box(rsh_stack* stack, rsh_work* work, rsh_probe* probe, uint level, uint box)
 {
-    rsh_stack stack;
-    stack.size = 0;
-    push_group(&stack, work, &work->bundle, levels, scene->groups, levels->count - 1, 0);
-    while (stack.size) {
-        const uint top = --stack.size;
-        if (stack.near[top] > work->bundle.limit) continue;
-        const uint level = stack.box[top] >> 28, box = stack.box[top] & 0x0fffffffu;
-        __global const float* group =
-            scene->groups + 96ul * (levels->first_group[level] + box / 16) + (box & 15);
-        float low[3], high[3];
-        for (uint axis = 0; axis < 3; ++axis) {
-            low[axis] = group[16 * axis];
-            high[axis] = group[48 + 16 * axis];
-        }
-        work->stats[1]++;
-        const uint met = bundles_meeting(&work->blocks, work->sign, low, high);
-        if (!met) continue;
-        if (level == 1) {
-            intersect_cluster(work, scene, box, met, low, high);
-            continue;
-        }
-        const rsh_bundle* bundle = &work->bundle;
-        if (!(met & (met - 1))) {
-            const uint b = lowest_bit(met);
-            if (!(work->loaded >> b & 1)) load_block(work, b);
-            work->block[b].bundle.limit = ((const float*)work->blocks.limit)[b];
-            bundle = &work->block[b].bundle;
-        }
-        push_group(&stack, work, bundle, levels, scene->groups, level - 1, box);
+    uint blocks = probe->blocks;
+    float low[3], high[3];
+    load_box(group_of(work->scene, level, box / 16), box % 16, low, high);
+    if (!is_single(blocks)) {
+        work->node_tests += 16;
+        blocks &= bundles_meeting(&work->blocks, &probe->bundle, low, high);
+        if (!blocks) return;
+    }
+    if (level == 1) {
+        intersect_cluster(work, probe, box, blocks, low, high);
+    } else if (is_single(blocks) && !is_single(probe->blocks)) {
+        push_group(stack, work, block_bundle(work, lowest_bit(blocks)), level - 1, box);
+    } else {
+        push_group(stack, work, &probe->bundle, level - 1, box);
     }
 }
 
-static void store_block(rsh_work* work, uint b, __global rsh_hit* hits, __global uint* occlusion,
-                        uint occlusion_bit)
+static void traverse(rsh_work* work, rsh_probe* probe)
 {
-    float t[16], u[16], v[16];
-    uint primitive[16];
-    const bool is_loaded = work->loaded >> b & 1;
-    if (is_loaded)
-        for (uint i = 0; i < RSH_VECTORS; ++i) {
-            store_lanes(work->block[b].ray[i].tmax, t + RSH_WIDTH * i);
-            store_lanes(work->block[b].u[i], u + RSH_WIDTH * i);
-            store_lanes(work->block[b].v[i], v + RSH_WIDTH * i);
-            store_lanes(work->block[b].primitive[i], primitive + RSH_WIDTH * i);
+    rsh_stack stack;
+    stack.size = 0;
+    push_group(&stack, work, &probe->bundle, work->scene->levels.count - 1, 0);
+    while (stack.size) {
+        const uint top = --stack.size;
+        if (stack.near[top] > probe->bundle.limit) continue;
+        visit_box(&stack, work, probe, stack.box[top] >> 28, stack.box[top] & 0x0fffffffu);
+    }
+}
+
+/* Rows of the tile's nodes, of some of its blocks only: the others hold nothing. */
+static float lowest_of(const rsh_work* work, uint row, uint blocks)
+{
+    float low = INFINITY;
+    for (; blocks; blocks &= blocks - 1)
+        low = fmin(low, work->nodes[16 * row + lowest_bit(blocks)]);
+    return low;
+}
+
+static float highest_of(const rsh_work* work, uint row, uint blocks)
+{
+    float high = -INFINITY;
+    for (; blocks; blocks &= blocks - 1)
+        high = fmax(high, work->nodes[16 * row + lowest_bit(blocks)]);
+    return high;
+}
+
+/* A measure of how much of the scene the blocks' common bundle crosses: the surface of the box
+ * that its rays fill at the scene's far end. */
+static float crossed_by(const rsh_work* work, uint blocks, float scene_size)
+{
+    float low[6], high[6], longest = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis) {
+        low[axis] = lowest_of(work, axis, blocks);
+        high[axis] = highest_of(work, 3 + axis, blocks);
+        low[3 + axis] = lowest_of(work, 6 + axis, blocks);
+        high[3 + axis] = highest_of(work, 9 + axis, blocks);
+        longest = fmax(longest, fmax(fabs(low[3 + axis]), fabs(high[3 + axis])));
+    }
+    const float t = fmin(highest_of(work, 12, blocks), scene_size / longest);
+    float side[3];
+    for (uint axis = 0; axis < 3; ++axis)
+        side[axis] =
+            high[axis] - low[axis] + t * (high[3 + axis] - low[3 + axis]) + 0.02f * scene_size;
+    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+}
+
+static rsh_probe probe_of(rsh_work* work, uint blocks)
+{
+    rsh_probe probe;
+    probe.blocks = blocks;
+    probe.ray = 16;
+    for (uint axis = 0; axis < 3; ++axis) {
+        probe.bundle.slab[axis] =
+            slab_of(lowest_of(work, axis, blocks), highest_of(work, 3 + axis, blocks),
+                    lowest_of(work, 6 + axis, blocks), highest_of(work, 9 + axis, blocks));
+        const int sign = probe.bundle.slab[axis].sign;
+        probe.ray_sign[axis] = work->is_converging ? -sign : sign;
+    }
+    lower_limit(work, &probe);
+    return probe;
+}
+
+static void traverse_blocks(rsh_work* work, uint blocks)
+{
+    rsh_probe probe = probe_of(work, blocks);
+    if (probe.bundle.limit >= 0.0f) traverse(work, &probe);
+}
+
+static void traverse_rays(rsh_work* work, uint b)
+{
+    rsh_block* block = block_of(work, b);
+    rsh_probe probe;
+    probe.blocks = 1u << b;
+    for (probe.ray = 0; probe.ray < 16; ++probe.ray) {
+        probe.bundle = ray_bundle(block, probe.ray);
+        if (probe.bundle.limit >= 0.0f) traverse(work, &probe);
+    }
+}
+
+/* Blocks that hold a ray. */
+static uint begin_tile(rsh_work* work)
+{
+    uint active = 0;
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        work->blocks.limit[v] = load_lanes(work->nodes + 16 * 12 + RSH_WIDTH * v) * RSH_RAISED;
+        active |= RSH_LANE_BITS(work->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
+    }
+    work->is_converging = as_uint(work->nodes[16 * 13]) != 0;
+    work->loaded = work->node_tests = work->ray_tests = 0;
+    if (!active) return 0;
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            floatv row[4];
+            for (uint f = 0; f < 4; ++f)
+                row[f] = load_lanes(work->nodes + 16 * (3 * f + axis) + RSH_WIDTH * v);
+            set_bundles_axis(&work->blocks, axis, v, row[0], row[1], row[2], row[3]);
         }
-    for (uint k = 0; k < 16; ++k) {
-        const uint i = ray_of(work->tile, b, k);
-        if (i == RSH_NO_RAY) continue;
-        const bool is_hit = is_loaded && primitive[k] != RSH_NO_HIT;
-        if (occlusion_bit) {
-            if (is_hit) occlusion[i] |= occlusion_bit;
-        } else if (is_hit)
-            hits[i] = (rsh_hit){t[k], u[k], v[k], primitive[k]};
+    return active;
+}
+
+static float size_of_scene(const rsh_geometry_in* scene)
+{
+    __global const float* top = group_of(scene, scene->levels.count - 1, 0);
+    float size = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis) {
+        floatv low[RSH_VECTORS], high[RSH_VECTORS];
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            low[v] = load_lanes(top + 16 * axis + RSH_WIDTH * v);
+            high[v] = load_lanes(top + 48 + 16 * axis + RSH_WIDTH * v);
+        }
+        size = fmax(size, largest_lane(high) - smallest_lane(low));
+    }
+    return size;
+}
+
+/* A tile whose rays have little in common, as at the edge between two mirrors, goes by quarters,
+ * blocks, or rays. */
+static void traverse_tile(rsh_work* work, uint active)
+{
+    const float size = size_of_scene(work->scene);
+    float crossed[16], sum = 0.0f;
+    for (uint blocks = active; blocks; blocks &= blocks - 1) {
+        const uint b = lowest_bit(blocks);
+        crossed[b] = crossed_by(work, 1u << b, size);
+        sum += crossed[b];
+    }
+    if (crossed_by(work, active, size) <= RSH_LOOSE * sum) {
+        traverse_blocks(work, active);
+        return;
+    }
+    for (uint blocks = active; blocks; blocks &= blocks - 1) {
+        const uint b = lowest_bit(blocks);
+        if (crossed[b] > RSH_LOOSE * 16.0f * 3.0f * 0.0004f * size * size &&
+            block_of(work, b)->is_fit)
+            traverse_rays(work, b);
         else
-            hits[i] = (rsh_hit){work->rays[i].direction_tmax.w, 0.0f, 0.0f, RSH_NO_HIT};
+            traverse_blocks(work, 1u << b);
     }
 }
 
 __kernel void rsh_traverse_tiles(rsh_mesh mesh, __global const float* vertices,
-                                 __global const uint* indices, rsh_box_levels box_shape,
-                                 __global const float* groups, rsh_levels shape,
+                                 __global const uint* indices, rsh_box_levels levels,
+                                 __global const float* boxes, rsh_levels shape,
                                  __global const rsh_ray* rays, __global const float* nodes,
                                  __global rsh_hit* hits, __global uint* occlusion,
                                  uint occlusion_bit, uint is_counting, __global uint* counts)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    const rsh_box_levels levels = box_shape;
-    rsh_scene_in scene = {mesh, vertices, indices, groups};
+    const rsh_geometry_in scene = {mesh, vertices, indices, boxes, levels};
     rsh_work work;
-    work.tile = tile_at(shape, me);
+    work.scene = &scene;
     work.rays = rays;
-    work.any = occlusion_bit != 0;
-    for (int i = 0; i < 8; ++i) work.stats[i] = 0;
-    if (begin_tile(&work, nodes + 16ul * RSH_NODE_ROWS * me) && mesh.triangle_count)
-        traverse_tile(&work, &scene, &levels);
-    for (uint b = 0; b < 16; ++b) store_block(&work, b, hits, occlusion, occlusion_bit);
+    work.nodes = nodes + 16ul * RSH_NODE_ROWS * me;
+    work.tile = tile_at(shape, me);
+    work.is_any = occlusion_bit != 0;
+    const uint active = begin_tile(&work);
+    if (active && mesh.triangle_count) traverse_tile(&work, active);
+    for (uint b = 0; b < 16; ++b) {
+        const bool is_loaded = work.loaded >> b & 1;
+        if (!occlusion_bit && !is_loaded)
+            store_misses(work.tile, b, rays, hits);
+        else if (!occlusion_bit)
+            store_hits(&work.block[b], work.tile, b, hits);
+        else if (is_loaded)
+            store_occlusion(&work.block[b], work.tile, b, occlusion, occlusion_bit);
+    }
     if (!is_counting) return;
-    uint node_tests = 0;
-    for (int i = 0; i < 8; ++i)
-        if (i != 3) node_tests += work.stats[i];
-    atomic_add(counts, 16 * node_tests);
-    atomic_add(counts + 1, 16 * work.stats[3]);
+    atomic_add(counts, work.node_tests);
+    atomic_add(counts + 1, work.ray_tests);
 }
