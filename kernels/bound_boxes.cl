@@ -1,141 +1,49 @@
 /* bound_boxes.cl - boxes around the triangles, around runs of 16 of them (clusters), around
- * runs of 16 clusters, and so on: 16 boxes side by side make a group, see rsh_box_group.
+ * runs of 16 clusters, and so on.
  *   vertices, indices  in   triangles
- *   groups             out  level 0: triangles; level l + 1: the groups of level l
- * One pass over the triangles in their own order: no tree is searched for. Does not look at
- * rays.
+ *   unordered          out  boxes of the clusters, in groups; order_boxes.cl takes them on
+ *   boxes              out  levels 0, and 2 and up; see scene_boxes.h
+ * One pass over the triangles: no tree is searched for. Does not look at rays.
  */
-#include "box.h"
+#include "bound_boxes.h"
 
-/* What is never hit: holds nothing, and adds nothing to the box around it. */
-static void clear_box(float* box)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        box[axis] = INFINITY;
-        box[3 + axis] = -INFINITY;
-    }
-}
-
-/* Corners of 16 triangles, component by component. */
-typedef struct rsh_corner_rows {
-    floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
-} rsh_corner_rows;
-
-/* x y z of sixteen vertices, from four floats each. */
-static void transpose_vertices(const float* vertex, floatv row[3][RSH_VECTORS])
-{
-#if RSH_WIDTH == 16
-    float16 four[4], two[2][2];
-    for (uint i = 0; i < 4; ++i) four[i] = vload16(i, vertex);
-    for (uint i = 0; i < 2; ++i) {
-        two[0][i] = RSH_EVEN(four[2 * i], four[2 * i + 1]);
-        two[1][i] = RSH_ODD(four[2 * i], four[2 * i + 1]);
-    }
-    row[0][0] = RSH_EVEN(two[0][0], two[0][1]);
-    row[1][0] = RSH_EVEN(two[1][0], two[1][1]);
-    row[2][0] = RSH_ODD(two[0][0], two[0][1]);
-#else
-    float lane[3][16];
-    for (uint k = 0; k < 16; ++k)
-        for (uint axis = 0; axis < 3; ++axis) lane[axis][k] = vertex[4 * k + axis];
-    for (uint axis = 0; axis < 3; ++axis)
-        for (uint v = 0; v < RSH_VECTORS; ++v)
-            row[axis][v] = load_lanes(lane[axis] + RSH_WIDTH * v);
-#endif
-}
-
-static void load_corners(rsh_mesh mesh, __global const float* vertices,
-                         __global const uint* indices, uint first, rsh_corner_rows* corners)
-{
-    float vertex[3][16 * 4];
-    for (uint k = 0; k < 16; ++k) {
-        rsh_triangle p;
-        if (first + k >= mesh.triangle_count ||
-            !load_triangle(mesh, vertices, indices, first + k, &p))
-            p.v0 = p.v1 = p.v2 = (float3)(NAN);
-        vstore4((float4)(p.v0, 0.0f), k, vertex[0]);
-        vstore4((float4)(p.v1, 0.0f), k, vertex[1]);
-        vstore4((float4)(p.v2, 0.0f), k, vertex[2]);
-    }
-    for (uint i = 0; i < 3; ++i) transpose_vertices(vertex[i], corners->row[i]);
-}
-
-/* Boxes of 16 triangles, padded as box.h says, and the box around them. */
-static void bound_triangles(const rsh_corner_rows* corners, __global float* group, float* around)
-{
-    floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        floatv largest = (floatv)(0.0f), sum = (floatv)(0.0f);
-        for (uint axis = 0; axis < 3; ++axis) {
-            const floatv a = corners->row[0][axis][v], b = corners->row[1][axis][v],
-                         c = corners->row[2][axis][v];
-            low[axis][v] = lesser(a, lesser(b, c));
-            high[axis][v] = greater(a, greater(b, c));
-            largest = greater(fabs(low[axis][v]), greater(fabs(high[axis][v]), largest));
-            sum += (a - a) + (b - b) + (c - c); /* 0, or NaN if any is not finite */
-        }
-        const floatv pad = (floatv)(0x1p-18f) * largest + (floatv)(0x1p-124f);
-        const intv is_finite = sum == (floatv)(0.0f);
-        for (uint axis = 0; axis < 3; ++axis) {
-            low[axis][v] = select((floatv)(INFINITY), low[axis][v] - pad, is_finite);
-            high[axis][v] = select((floatv)(-INFINITY), high[axis][v] + pad, is_finite);
-            store_lanes(low[axis][v], group + 16 * axis + RSH_WIDTH * v);
-            store_lanes(high[axis][v], group + 48 + 16 * axis + RSH_WIDTH * v);
-        }
-    }
-    for (uint axis = 0; axis < 3; ++axis) {
-        around[axis] = smallest_lane(low[axis]);
-        around[3 + axis] = largest_lane(high[axis]);
-    }
-}
-
-/* A work-item bounds 16 clusters: one group of level 1. */
+/* A work-item bounds 16 clusters: one group. */
 __kernel void rsh_bound_triangles(rsh_mesh mesh, __global const float* vertices,
                                   __global const uint* indices, rsh_box_levels levels,
-                                  __global float* groups)
+                                  __global float* boxes, __global float* unordered)
 {
-    const uint me = get_global_id(0);
-    const uint clusters = levels.boxes[1];
+    const uint me = get_global_id(0), clusters = levels.boxes[1];
     if (me >= (clusters + 15) / 16) return; /* launch is rounded up to whole groups */
     float row[6][16];
     for (uint k = 0; k < 16; ++k) {
-        const uint cluster = 16 * me + k;
         float around[6];
         clear_box(around);
-        if (cluster < clusters) {
-            rsh_corner_rows corners;
-            load_corners(mesh, vertices, indices, 16 * cluster, &corners);
-            bound_triangles(&corners, groups + 96ul * cluster, around);
-        }
+        if (16 * me + k < clusters)
+            bound_cluster(mesh, vertices, indices, 0, 16 * me + k, boxes, around);
         for (uint f = 0; f < 6; ++f) row[f][k] = around[f];
     }
-    __global float* out = groups + 96ul * (levels.first_group[1] + me);
-    for (uint f = 0; f < 6; ++f)
-        for (uint k = 0; k < 16; ++k) out[16 * f + k] = row[f][k];
+    store_group(row, unordered + RSH_GROUP_WORDS * me);
 }
 
 /* Boxes of a level from the groups of the level below; a work-item makes a group of them. */
-__kernel void rsh_bound_groups(rsh_box_levels shape, uint level, __global float* groups)
+__kernel void rsh_bound_groups(rsh_box_levels shape, uint level, __global float* boxes)
 {
     const rsh_box_levels levels = shape;
     const uint me = get_global_id(0), count = levels.boxes[level];
-    if (me >= (count + 15) / 16) return;
-    __global float* out = groups + 96ul * (levels.first_group[level] + me);
+    if (me >= (count + 15) / 16) return; /* launch is rounded up to whole groups */
+    __global const float* below =
+        boxes + RSH_GROUP_WORDS * (levels.first_group[level - 1] + 16 * me);
+    float row[6][16];
     for (uint k = 0; k < 16; ++k) {
         float around[6];
         clear_box(around);
-        if (16 * me + k < count) {
-            __global const float* in = groups + 96ul * (levels.first_group[level - 1] + 16 * me + k);
+        if (16 * me + k < count)
             for (uint axis = 0; axis < 3; ++axis) {
-                floatv low[RSH_VECTORS], high[RSH_VECTORS];
-                for (uint v = 0; v < RSH_VECTORS; ++v) {
-                    low[v] = load_lanes(in + 16 * axis + RSH_WIDTH * v);
-                    high[v] = load_lanes(in + 48 + 16 * axis + RSH_WIDTH * v);
-                }
-                around[axis] = smallest_lane(low);
-                around[3 + axis] = largest_lane(high);
+                __global const float* in = below + RSH_GROUP_WORDS * k + 16 * axis;
+                around[axis] = smallest_in_row(in);
+                around[3 + axis] = largest_in_row(in + 48);
             }
-        }
-        for (uint f = 0; f < 6; ++f) out[16 * f + k] = around[f];
+        for (uint f = 0; f < 6; ++f) row[f][k] = around[f];
     }
+    store_group(row, boxes + RSH_GROUP_WORDS * (levels.first_group[level] + me));
 }

@@ -8,7 +8,18 @@
  */
 #include "intersect_runs.h"
 #include "runs.h"
+#include "scene_boxes.h"
 #include "siblings.h"
+
+/* Runs of the bound `box` name places of its level 0. */
+static __global const uint* order_of(__global const uint* bounds, rsh_box_levels levels)
+{
+#if RSH_FITTED
+    return 0;
+#else
+    return bounds[is_ordered_at(levels)] ? bounds + order_at(levels) : 0;
+#endif
+}
 
 __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global rsh_hit* hits)
 {
@@ -20,6 +31,7 @@ __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global 
 /* A work-item takes the blocks of a tile. */
 __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh, __global const float* vertices,
                                  __global const uint* indices, __global const rsh_ray* rays,
+                                 rsh_box_levels boxes, __global const uint* bounds,
                                  __global const uint* triangles, __global const uint2* runs,
                                  __global rsh_hit* hits, __global uint* occlusion,
                                  uint occlusion_bit)
@@ -27,7 +39,8 @@ __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh, __global const
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
     const rsh_levels levels = shape;
-    const rsh_run_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const rsh_run_target target = {mesh, vertices,  indices,       rays,
+                                   hits, occlusion, occlusion_bit, order_of(bounds, boxes)};
     const rsh_tile tile = tile_at(shape, me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
@@ -70,7 +83,8 @@ static void intersect_gathered(const rsh_run_target* target, rsh_tile tile,
  * triangles against the blocks, and the rays of those. groups: of the tiles' children. */
 __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh,
                               __global const float* vertices, __global const uint* indices,
-                              __global const rsh_ray* rays, __global const float* bounds,
+                              __global const rsh_ray* rays,
+                              rsh_box_levels boxes, __global const float* bounds,
                               __global const float* groups, __global const uint* triangles,
                               __global const uint2* runs, __global const uint* sums,
                               __global rsh_hit* hits, __global uint* occlusion,
@@ -84,7 +98,9 @@ __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh
         level == 2 ? me : place_of(&levels, 2, me, level - 1).parent;
     if (!is_left_over(step, sums, ancestor)) return;
     const rsh_run run = run_of(step, runs, ancestor);
-    const rsh_run_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const rsh_run_target target = {
+        mesh, vertices,  indices,       rays,
+        hits, occlusion, occlusion_bit, order_of((__global const uint*)bounds, boxes)};
     const rsh_tile tile = tile_at(shape, me);
     rsh_siblings blocks;
     load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);

@@ -18,6 +18,7 @@ typedef struct rsh_run_target {
     __global rsh_hit* hits;
     __global uint* occlusion;
     uint occlusion_bit; /* as a mask; 0: closest hits are wanted */
+    __global const uint* order; /* triangles in the places that runs name; 0: their own */
 } rsh_run_target;
 
 /* tmax is lowered to the closest hit so far. */
@@ -68,8 +69,9 @@ static void load_run_block(const rsh_run_target* target, rsh_tile tile, uint b,
 }
 
 /* Of equal t the lower index wins, whatever the order. */
-static void offer_triangle(const rsh_run_target* target, rsh_run_block* block, uint triangle)
+static void offer_triangle(const rsh_run_target* target, rsh_run_block* block, uint place)
 {
+    const uint triangle = target->order ? target->order[place] : place;
     rsh_triangle p;
     if (!load_triangle(target->mesh, target->vertices, target->indices, triangle, &p)) return;
     floatv corner[9];

@@ -3,7 +3,9 @@
 #ifndef RSH_SIBLINGS_H
 #define RSH_SIBLINGS_H
 
+/* Here rather than behind a condition: a header is only ever expanded in one place. */
 #include "geometry.h"
+#include "tile.h"
 
 #ifndef RSH_FITTED
 #define RSH_FITTED 0
@@ -33,7 +35,7 @@ static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bo
 #define RSH_GROUP_FLOATS 224 /* of rsh_node_group */
 typedef struct rsh_siblings {
     rsh_bundles bundles;
-    int sign[3]; /* of all directions, or 0 */
+    rsh_bundle common; /* its signs: those of all directions per axis, or 0 */
 } rsh_siblings;
 
 static void load_siblings(rsh_siblings* nodes, __global const float* group)
@@ -52,7 +54,7 @@ static void load_siblings(rsh_siblings* nodes, __global const float* group)
             low = fmin(low, row[96 + k]);
             high = fmax(high, row[144 + k]);
         }
-        nodes->sign[axis] = low > 0.0f ? 1 : high < 0.0f ? -1 : 0;
+        nodes->common.slab[axis].sign = low > 0.0f ? 1 : high < 0.0f ? -1 : 0;
     }
 }
 
@@ -63,7 +65,7 @@ static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bo
     __global const float* box = bounds + 96ul * (triangle / 16) + triangle % 16;
     const float low[3] = {box[0], box[16], box[32]};
     const float high[3] = {box[48], box[64], box[80]};
-    return bundles_meeting(&nodes->bundles, nodes->sign, low, high);
+    return bundles_meeting(&nodes->bundles, &nodes->common, low, high);
 }
 
 #endif

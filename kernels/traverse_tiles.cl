@@ -1,6 +1,6 @@
 /* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes of the scene front to back,
  * triangles and single rays last.
- *   boxes      in      of triangles, clusters, clusters of clusters (bound_boxes.cl)
+ *   boxes      in      of triangles, clusters, clusters of clusters (scene_boxes.h)
  *   nodes      in      blocks of the tiles (build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
@@ -8,6 +8,7 @@
  * boxes per level. Whatever a decision below costs or saves, it only leaves out tests that
  * cannot succeed.
  */
+#include "scene_boxes.h"
 #include "tile_block.h"
 
 #define RSH_STACK (15 * RSH_MAX_BOX_LEVELS + 1)
@@ -16,14 +17,21 @@
 #define RSH_MANY_TRIANGLES 4
 /* Up to so many blocks look at a cluster's triangles on their own. */
 #define RSH_FEW_BLOCKS 3
-/* A bundle is loose when it crosses this much more of the scene than its parts together. */
-#define RSH_LOOSE 3.0f
+/* What going down the boxes costs besides what is met there, in clusters met. */
+#ifndef RSH_START
+#define RSH_START 20.0f
+#endif
+/* Clusters that a ray on its own meets, in the same measure as a bundle. */
+#ifndef RSH_RAY
+#define RSH_RAY 8.0f
+#endif
 
 typedef struct rsh_geometry_in {
     rsh_mesh mesh;
     __global const float* vertices;
     __global const uint* indices;
     __global const float* boxes;
+    __global const uint* children;
     rsh_box_levels levels;
 } rsh_geometry_in;
 
@@ -35,6 +43,8 @@ typedef struct rsh_work {
     bool is_any;
     bool is_converging; /* nodes run backwards: a hit is no limit to them */
     uint loaded;        /* blocks */
+    float scene_size;   /* longest side */
+    float cluster_size; /* see scene_boxes.h */
     rsh_bundles blocks;
     rsh_block block[16];
     uint node_tests, ray_tests;
@@ -74,7 +84,7 @@ static const rsh_bundle* block_bundle(rsh_work* work, uint b)
 
 static __global const float* group_of(const rsh_geometry_in* scene, uint level, uint group)
 {
-    return scene->boxes + 96ul * (scene->levels.first_group[level] + group);
+    return scene->boxes + RSH_GROUP_WORDS * (scene->levels.first_group[level] + group);
 }
 
 /* Boxes of a group that exist. */
@@ -141,22 +151,25 @@ static uint triangles_met_by_rays(rsh_work* work, const rsh_probe* probe, rsh_bl
 
 /* The triangles of one cluster that were needed so far. */
 typedef struct rsh_cluster {
-    uint number;
+    uint number; /* its group of level 0 */
     uint fetched;
+    uint triangle[16];
     rsh_corners corners[16];
 } rsh_cluster;
 
 static bool intersect_triangle(rsh_work* work, rsh_cluster* cluster, uint k, uint b)
 {
     const rsh_geometry_in* scene = work->scene;
-    const uint triangle = 16 * cluster->number + k;
     if (!(cluster->fetched >> k & 1)) {
+        cluster->triangle[k] = triangle_in((__global const uint*)scene->boxes, scene->levels,
+                                           16 * cluster->number + k);
         fetch_corners(&cluster->corners[k], scene->mesh, scene->vertices, scene->indices,
-                      triangle);
+                      cluster->triangle[k]);
         cluster->fetched |= 1u << k;
     }
     work->ray_tests += 16;
-    return intersect_block(block_of(work, b), &cluster->corners[k], triangle, work->is_any);
+    return intersect_block(block_of(work, b), &cluster->corners[k], cluster->triangle[k],
+                           work->is_any);
 }
 
 /* Few blocks: each looks for its own triangles. */
@@ -256,7 +269,7 @@ static void visit_box(rsh_stack* stack, rsh_work* work, rsh_probe* probe, uint l
         if (!blocks) return;
     }
     if (level == 1) {
-        intersect_cluster(work, probe, box, blocks, low, high);
+        intersect_cluster(work, probe, work->scene->children[box], blocks, low, high);
     } else if (is_single(blocks) && !is_single(probe->blocks)) {
         push_group(stack, work, block_bundle(work, lowest_bit(blocks)), level - 1, box);
     } else {
@@ -293,9 +306,9 @@ static float highest_of(const rsh_work* work, uint row, uint blocks)
     return high;
 }
 
-/* A measure of how much of the scene the blocks' common bundle crosses: the surface of the box
- * that its rays fill at the scene's far end. */
-static float crossed_by(const rsh_work* work, uint blocks, float scene_size)
+/* What it may cost to take the blocks through the scene together, in clusters met: their share
+ * of the surface of the box that the rays fill at the scene's far end. */
+static float cost_of(const rsh_work* work, uint blocks)
 {
     float low[6], high[6], longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis) {
@@ -305,12 +318,13 @@ static float crossed_by(const rsh_work* work, uint blocks, float scene_size)
         high[3 + axis] = highest_of(work, 9 + axis, blocks);
         longest = fmax(longest, fmax(fabs(low[3 + axis]), fabs(high[3 + axis])));
     }
-    const float t = fmin(highest_of(work, 12, blocks), scene_size / longest);
+    const float t = fmin(highest_of(work, 12, blocks), work->scene_size / longest);
     float side[3];
     for (uint axis = 0; axis < 3; ++axis)
-        side[axis] =
-            high[axis] - low[axis] + t * (high[3 + axis] - low[3 + axis]) + 0.02f * scene_size;
-    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+        side[axis] = fmin(high[axis] - low[axis] + t * (high[3 + axis] - low[3 + axis]),
+                          work->scene_size);
+    return RSH_START +
+           (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]) / work->cluster_size;
 }
 
 static rsh_probe probe_of(rsh_work* work, uint blocks)
@@ -382,28 +396,41 @@ static float size_of_scene(const rsh_geometry_in* scene)
     return size;
 }
 
+/* Each ray of a block on its own. */
+#define RSH_COST_OF_RAYS (16.0f * RSH_RAY)
+
+static void traverse_block(rsh_work* work, uint b, float cost)
+{
+    if (cost >= RSH_COST_OF_RAYS && block_of(work, b)->is_fit)
+        traverse_rays(work, b);
+    else
+        traverse_blocks(work, 1u << b);
+}
+
+/* Together, if that costs no more than one by one. */
+static bool traverse_together(rsh_work* work, uint blocks, const float* cost)
+{
+    float apart = 0.0f;
+    for (uint left = blocks; left; left &= left - 1) apart += cost[lowest_bit(left)];
+    if (cost_of(work, blocks) > apart) return false;
+    traverse_blocks(work, blocks);
+    return true;
+}
+
 /* A tile whose rays have little in common, as at the edge between two mirrors, goes by quarters,
- * blocks, or rays. */
+ * blocks or rays. */
 static void traverse_tile(rsh_work* work, uint active)
 {
-    const float size = size_of_scene(work->scene);
-    float crossed[16], sum = 0.0f;
-    for (uint blocks = active; blocks; blocks &= blocks - 1) {
-        const uint b = lowest_bit(blocks);
-        crossed[b] = crossed_by(work, 1u << b, size);
-        sum += crossed[b];
-    }
-    if (crossed_by(work, active, size) <= RSH_LOOSE * sum) {
-        traverse_blocks(work, active);
-        return;
-    }
-    for (uint blocks = active; blocks; blocks &= blocks - 1) {
-        const uint b = lowest_bit(blocks);
-        if (crossed[b] > RSH_LOOSE * 16.0f * 3.0f * 0.0004f * size * size &&
-            block_of(work, b)->is_fit)
-            traverse_rays(work, b);
-        else
-            traverse_blocks(work, 1u << b);
+    float cost[16];
+    for (uint left = active; left; left &= left - 1)
+        cost[lowest_bit(left)] =
+            fmin(cost_of(work, left & -left), RSH_COST_OF_RAYS);
+    if (traverse_together(work, active, cost)) return;
+    for (uint quarter = 0; quarter < 4; ++quarter) {
+        uint blocks = active & (0x0033u << (quarter / 2 * 8 + quarter % 2 * 2));
+        if (!blocks || traverse_together(work, blocks, cost)) continue;
+        for (; blocks; blocks &= blocks - 1)
+            traverse_block(work, lowest_bit(blocks), cost[lowest_bit(blocks)]);
     }
 }
 
@@ -416,7 +443,8 @@ __kernel void rsh_traverse_tiles(rsh_mesh mesh, __global const float* vertices,
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    const rsh_geometry_in scene = {mesh, vertices, indices, boxes, levels};
+    const rsh_geometry_in scene = {
+        mesh, vertices, indices, boxes, (__global const uint*)boxes + children_at(levels), levels};
     rsh_work work;
     work.scene = &scene;
     work.rays = rays;
@@ -424,7 +452,12 @@ __kernel void rsh_traverse_tiles(rsh_mesh mesh, __global const float* vertices,
     work.tile = tile_at(shape, me);
     work.is_any = occlusion_bit != 0;
     const uint active = begin_tile(&work);
-    if (active && mesh.triangle_count) traverse_tile(&work, active);
+    if (active && mesh.triangle_count) {
+        work.scene_size = size_of_scene(&scene);
+        work.cluster_size = fmax(boxes[cluster_size_at(levels)],
+                                 1e-7f * work.scene_size * work.scene_size);
+        traverse_tile(&work, active);
+    }
     for (uint b = 0; b < 16; ++b) {
         const bool is_loaded = work.loaded >> b & 1;
         if (!occlusion_bit && !is_loaded)

@@ -19,6 +19,7 @@ typedef uint uintv;
 #define as_intv as_int
 #define as_floatv as_float
 #define as_uintv as_uint
+#define convert_uintv_sat convert_uint_sat
 #define store_lanes(value, array) ((array)[0] = (value))
 #define load_lanes(array) ((array)[0])
 #define any_lane(mask) (mask)
@@ -31,6 +32,7 @@ typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define as_intv RSH_JOIN(as_int, RSH_WIDTH)
 #define as_floatv RSH_JOIN(as_float, RSH_WIDTH)
 #define as_uintv RSH_JOIN(as_uint, RSH_WIDTH)
+#define convert_uintv_sat RSH_JOIN(RSH_JOIN(convert_uint, RSH_WIDTH), _sat)
 #define store_lanes(value, array) RSH_JOIN(vstore, RSH_WIDTH)(value, 0, array)
 #define load_lanes(array) RSH_JOIN(vload, RSH_WIDTH)(0, array)
 #define any_lane(mask) (RSH_LANE_BITS(mask) != 0)

@@ -54,6 +54,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
     const Bound& bound = bound_of(desc);
     layout.add("bounds", bound.scene_bytes(desc.scene->geometry));
+    layout.add("bound scratch", bound.bound_scratch(context, desc.scene->geometry).bytes());
     layout.add("nodes", bound.node_bytes(bound.levels(desc.width, desc.height)));
     const Engine& engine = find_engine(desc.engine);
     layout.add("traverse",
@@ -101,7 +102,7 @@ rsh_rasterize_desc FrameMemory::rasterize() const {
 
 rsh_bound_desc FrameMemory::bound() const {
     return {sizeof(rsh_bound_desc), desc_.scene->geometry, bound_of(desc_).id(),
-            scratch_["bounds"]};
+            scratch_["bounds"], scratch_["bound scratch"]};
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {

@@ -304,13 +304,17 @@ typedef struct rsh_bound_desc {
     cl_mem bounds; /* out: rsh_sizes.output_bytes.
                       cone, cone_fitted: triangle_count x float4, centre and radius [world];
                             radius -1: the triangle is never hit.
-                      box:  rsh_box_group of 16 triangles each, then of 16 groups each, and so
-                            on up to a single group                                           */
+                      box:  boxes of triangles and of runs of them, for rsh_traverse           */
+    cl_mem scratch; /* box */
 } rsh_bound_desc;
 
-/* Bounds the triangles, rounded outwards. Linear in the triangles, which are taken as they come:
- * nothing is sorted or searched. Once per frame, shared by all traversals of that frame.
- * output_bytes of the query: cones 16, box about 26 per triangle. */
+/* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
+ * frame.
+ *
+ * box:     runs of 16 neighbouring triangles make a cluster; clusters are put in Morton order,
+ *          or the triangles themselves, where neighbours in the index are none in space.
+ * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 30 per
+ *          triangle; scratch_bytes: box about 14. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,

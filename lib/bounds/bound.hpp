@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cl/recorder.hpp"
+#include "core/layout.hpp"
 
 namespace rsh {
 
@@ -16,6 +17,8 @@ public:
     virtual rsh_levels levels(cl_uint width, cl_uint height) const = 0;
     virtual size_t node_bytes(const rsh_levels& levels) const = 0;
     virtual size_t scene_bytes(const rsh_geometry& geometry) const = 0;
+    virtual Layout bound_scratch(const Context& context,
+                                 const rsh_geometry& geometry) const = 0;
     virtual void bound(Recorder& recorder, const rsh_bound_desc& desc) const = 0;  // the scene
     virtual void build(Recorder& recorder, const rsh_build_desc& desc) const = 0;  // the rays
 };

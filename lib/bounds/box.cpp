@@ -1,15 +1,52 @@
 #include "bounds/box.hpp"
 
+#include <algorithm>
+
 #include "bounds/levels.hpp"
+#include "cl/scratch.hpp"
 #include "passes/mesh.hpp"
 
 namespace rsh {
 namespace {
 
 constexpr cl_uint kBoxesPerGroup = 16;
+constexpr size_t kBins = 2048;       // RSH_BINS of order_boxes.cl
+constexpr size_t kExtentBytes = 40;  // rsh_extent
 
 cl_uint groups_of(cl_uint boxes) {
     return (boxes + kBoxesPerGroup - 1) / kBoxesPerGroup;
+}
+
+// Work-items of the sort, each with counts of its own.
+Range order_range(const Context& context) {
+    const size_t items = std::min<size_t>(context.caps.compute_units * 2, 64);
+    return {items, 1};
+}
+
+KernelName tiles_kernel(const char* kernel) {
+    return {"program_tiles", kernel};
+}
+
+// Morton order of the clusters, or of the triangles, in two passes (order_boxes.cl).
+void sort_boxes(Recorder& recorder, const rsh_box_levels& levels, cl_mem boxes,
+                const Scratch& scratch) {
+    const Range items = order_range(recorder.context());
+    const cl_uint item_count = static_cast<cl_uint>(items.items);
+    const cl_mem unordered = scratch["unordered"], extents = scratch["extents"],
+                 bins = scratch["bins"], keys = scratch["keys"],
+                 half_sorted = scratch["half sorted"];
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), items, levels, boxes,
+                    unordered, extents);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), items, levels, boxes,
+                    unordered, extents, keys, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, item_count, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_low"), items, levels,
+                    extents, keys, bins, half_sorted);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_count_high"), items, levels,
+                    extents, half_sorted, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, item_count, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_high"), items, levels,
+                    extents, half_sorted, bins, boxes);
 }
 
 }  // namespace
@@ -45,26 +82,46 @@ size_t Box::node_bytes(const rsh_levels& levels) const {
 }
 
 size_t Box::scene_bytes(const rsh_geometry& geometry) const {
-    return box_levels(geometry.triangle_count).group_count * sizeof(rsh_box_group);
+    const rsh_box_levels levels = box_levels(geometry.triangle_count);
+    const size_t words = size_t{levels.boxes[0]} + levels.boxes[1] + 2;
+    return levels.group_count * sizeof(rsh_box_group) + words * sizeof(cl_uint);
+}
+
+Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
+    const rsh_box_levels levels = box_levels(geometry.triangle_count);
+    const size_t items = order_range(context).items;
+    Layout layout(context.caps.alignment);
+    layout.add_array<rsh_box_group>("unordered", groups_of(levels.boxes[1]));
+    layout.add("extents", items * kExtentBytes);
+    layout.add_array<cl_uint>("bins", items * kBins);
+    layout.add_array<cl_uint>("keys", levels.boxes[0]);
+    layout.add_array<cl_uint>("half sorted", size_t{2} * levels.boxes[0]);
+    return layout;
 }
 
 void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
-    const Context& context = recorder.context();
+    if (geometry.triangle_count == 0) return;
+    const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
     const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    const cl_uint clusters = groups_of(geometry.triangle_count);
-    recorder.launch(RSH_STAGE_BOUND, {"program_tiles", "rsh_bound_triangles"},
-                    serial_range(context, groups_of(clusters)), mesh_of(geometry),
-                    geometry.vertices, geometry.indices, levels, desc.bounds);
+    const Range groups = serial_range(recorder.context(), groups_of(levels.boxes[1]));
+    const cl_mem unordered = scratch["unordered"];
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_triangles"), groups,
+                    mesh_of(geometry), geometry.vertices, geometry.indices, levels, desc.bounds,
+                    unordered);
+    sort_boxes(recorder, levels, desc.bounds, scratch);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_clusters"), groups,
+                    mesh_of(geometry), geometry.vertices, geometry.indices, levels, unordered,
+                    desc.bounds);
     for (cl_uint level = 2; level < levels.count; ++level)
-        recorder.launch(RSH_STAGE_BOUND, {"program_tiles", "rsh_bound_groups"},
-                        serial_range(context, groups_of(levels.boxes[level])), levels, level,
-                        desc.bounds);
+        recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"),
+                        serial_range(recorder.context(), groups_of(levels.boxes[level])),
+                        levels, level, desc.bounds);
 }
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {
     const rsh_levels shape = levels(desc.width, desc.height);
-    recorder.launch(RSH_STAGE_BUILD, {"program_tiles", "rsh_build_blocks"},
+    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_blocks"),
                     serial_range(recorder.context(), node_count(shape, 2)), shape, desc.rays,
                     desc.converging, desc.nodes);
 }

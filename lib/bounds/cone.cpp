@@ -26,6 +26,10 @@ size_t Cone::scene_bytes(const rsh_geometry& geometry) const {
     return size_t{geometry.triangle_count} * 16;
 }
 
+Layout Cone::bound_scratch(const Context& context, const rsh_geometry&) const {
+    return Layout(context.caps.alignment);
+}
+
 void Cone::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_BOUND, {"program_traverse", "rsh_bound"},

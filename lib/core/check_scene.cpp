@@ -95,6 +95,8 @@ void check_buffers(const Context& context, const rsh_bound_desc& desc) {
     check_buffers(context, desc.geometry);
     check_buffer(context, "bounds", desc.bounds,
                  find_bound(desc.bound).scene_bytes(desc.geometry));
+    check_scratch(context, desc.scratch,
+                  find_bound(desc.bound).bound_scratch(context, desc.geometry).bytes());
 }
 
 }  // namespace rsh

@@ -41,7 +41,8 @@ const Engine& find_engine(cl_uint id);  // throws; RSH_ENGINE_DEFAULT: the quick
 void check_bound(const Engine& engine, cl_uint bound);
 
 // Room for the scene's bounds, and their making, where the caller gives none.
-void reserve_bounds(Layout& scratch, const rsh_traverse_desc& desc, SceneBounds bounds);
+void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_desc& desc,
+                    SceneBounds bounds);
 cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch);
 
 }  // namespace rsh

@@ -39,9 +39,12 @@ void check_bound(const Engine& engine, cl_uint bound) {
                                        ", must be " + taken + " with engine " + engine.name());
 }
 
-void reserve_bounds(Layout& scratch, const rsh_traverse_desc& desc, SceneBounds bounds) {
-    if (bounds == SceneBounds::made)
-        scratch.add("bounds", find_bound(desc.bound).scene_bytes(desc.geometry));
+void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_desc& desc,
+                    SceneBounds bounds) {
+    if (bounds == SceneBounds::given) return;
+    const Bound& bound = find_bound(desc.bound);
+    scratch.add("bounds", bound.scene_bytes(desc.geometry));
+    scratch.add("bound scratch", bound.bound_scratch(context, desc.geometry).bytes());
 }
 
 cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch) {
@@ -50,6 +53,7 @@ cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scra
     pass.geometry = desc.geometry;
     pass.bound = desc.bound;
     pass.bounds = scratch["bounds"];
+    pass.scratch = scratch["bound scratch"];
     bound(recorder, pass);
     return pass.bounds;
 }

@@ -37,8 +37,7 @@ cl_uint capacity_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
         kDefaultBytes * (ray_count(desc.width, desc.height) + triangles) + RSH_MIN_BUDGET;
     const cl_ulong budget = desc.budget ? desc.budget : usual;
     const cl_ulong possible = std::max<cl_ulong>(1, triangles * node_count(levels, 1));
-    return static_cast<cl_uint>(
-        std::min({budget / kBytesPerTriangle, possible, kMaxCapacity}));
+    return static_cast<cl_uint>(std::min({budget / kBytesPerTriangle, possible, kMaxCapacity}));
 }
 
 bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles,
@@ -75,8 +74,7 @@ void add_tally(rsh_statistics& sums, const rsh_run_step& root, const cl_uint* ta
     }
     sums.node_tests += 16 * cl_ulong{tally[RSH_TALLY_FINISHED]};
     sums.ray_tests += 16 * cl_ulong{tally[RSH_TALLY_FINISHED + 1]};
-    sums.pairs_tested[0] +=
-        16 * (cl_ulong{tally[1]} + cl_ulong{tally[RSH_TALLY_FINISHED + 1]});
+    sums.pairs_tested[0] += 16 * (cl_ulong{tally[1]} + cl_ulong{tally[RSH_TALLY_FINISHED + 1]});
 }
 
 class Traversal {
@@ -87,12 +85,9 @@ public:
           shape_(group_levels(desc.width, desc.height)),
           is_box_(find_bound(desc.bound).id() == RSH_BOUND_BOX),
           scratch_(recorder, layout, desc.scratch),
-          streams_{capacity_of(desc, shape_),
-                   {scratch_["even levels"], scratch_["odd levels"]},
-                   scratch_["runs"],
-                   scratch_["masks"],
-                   scratch_["counts"],
-                   scratch_["sums"],
+          streams_{capacity_of(desc, shape_), {scratch_["even levels"], scratch_["odd levels"]},
+                   scratch_["runs"],          scratch_["masks"],
+                   scratch_["counts"],        scratch_["sums"],
                    scratch_["tally"]} {
         if (!desc_.bounds) desc_.bounds = make_bounds(recorder_, desc_, scratch_);
     }
@@ -169,8 +164,8 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
     const cl_uint capacity = capacity_of(desc, shape);
     size_t pieces = 0;
     for (cl_uint level = 1; level < shape.count; ++level)
-        pieces = std::max(pieces, size_t{nodes_of(shape, level + 1)} *
-                                      pieces_of(context, shape, level));
+        pieces = std::max(
+            pieces, size_t{nodes_of(shape, level + 1)} * pieces_of(context, shape, level));
     Layout layout(context.caps.alignment);
     layout.add_array<cl_uint>("even levels", capacity);
     layout.add_array<cl_uint>("odd levels", capacity);
@@ -180,9 +175,9 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
     layout.add_array<cl_uint>("sums", pieces + 1);
     layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
     if (find_bound(desc.bound).id() == RSH_BOUND_BOX)
-        layout.add_array<rsh_node_group>(
-            "nodes", shape.first_quad[shape.count] - shape.first_quad[2]);
-    reserve_bounds(layout, desc, bounds);
+        layout.add_array<rsh_node_group>("nodes",
+                                         shape.first_quad[shape.count] - shape.first_quad[2]);
+    reserve_bounds(layout, context, desc, bounds);
     return layout;
 }
 

@@ -150,7 +150,7 @@ Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& d
     layout.add_array<rsh_pair>("candidates", size_t{4} * limit);
     layout.add_array<cl_uint>("candidate count", 1);
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
-    reserve_bounds(layout, desc, bounds);
+    reserve_bounds(layout, context, desc, bounds);
     safe_strategy(context, desc.strategy)
         .reserve(layout, context, {4 * limit, sizeof(rsh_pair)});
     return layout;

@@ -30,7 +30,7 @@ Layout Tiles::scratch(const Context& context, const rsh_traverse_desc& desc,
                       SceneBounds bounds) const {
     Layout layout(context.caps.alignment);
     layout.add_array<cl_uint>("counts", kCounts);
-    reserve_bounds(layout, desc, bounds);
+    reserve_bounds(layout, context, desc, bounds);
     return layout;
 }
 

@@ -61,9 +61,9 @@ void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLev
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_finish_runs"),
                     serial_range(recorder.context(), node_count(level.shape, 2)), level.shape,
                     level.step, mesh_of(geometry), geometry.vertices, geometry.indices,
-                    desc.rays, desc.bounds, desc.nodes, parents_of(level, streams),
-                    streams.runs, streams.sums, desc.hits, desc.occlusion, occlusion_mask(desc),
-                    streams.tally);
+                    desc.rays, box_levels(geometry.triangle_count), desc.bounds, desc.nodes,
+                    parents_of(level, streams), streams.runs, streams.sums, desc.hits,
+                    desc.occlusion, occlusion_mask(desc), streams.tally);
 }
 
 void clear_run_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
@@ -79,8 +79,8 @@ void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_intersect_runs"),
                     serial_range(recorder.context(), node_count(shape, 2)), shape,
                     mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    streams.triangles[1], streams.runs, desc.hits, desc.occlusion,
-                    occlusion_mask(desc));
+                    box_levels(geometry.triangle_count), desc.bounds, streams.triangles[1],
+                    streams.runs, desc.hits, desc.occlusion, occlusion_mask(desc));
 }
 
 void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper) {

@@ -12,12 +12,12 @@ KernelName paper_kernel(cl_uint bound, const char* kernel);
 
 // The pair stream of one traversal: per node a run of triangles.
 struct RunStreams {
-    cl_uint capacity;      // triangles of a level
-    cl_mem triangles[2];   // of the levels with even and odd numbers
-    cl_mem runs;           // of all levels, rsh_run
-    cl_mem masks;          // per triangle of the parents, which children it meets
-    cl_mem counts, sums;   // per piece of a parent's run
-    cl_mem tally;          // RSH_TALLY_WORDS
+    cl_uint capacity;     // triangles of a level
+    cl_mem triangles[2];  // of the levels with even and odd numbers
+    cl_mem runs;          // of all levels, rsh_run
+    cl_mem masks;         // per triangle of the parents, which children it meets
+    cl_mem counts, sums;  // per piece of a parent's run
+    cl_mem tally;         // RSH_TALLY_WORDS
 };
 
 struct RunLevel {

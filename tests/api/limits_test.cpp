@@ -187,7 +187,7 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
         EXPECT_EQ(sizes.struct_size, 24u);
     };
     takes(valid_.rasterize(), 176);
-    takes(valid_.bound(), 72);
+    takes(valid_.bound(), 80);
     takes(valid_.build(), 40);
     takes(valid_.traverse(), 160);
     takes(valid_.frame(), 160);

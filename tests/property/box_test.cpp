@@ -3,6 +3,8 @@
 // its group.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../oracle/containment.hpp"
 #include "../support/cases.hpp"
 #include "../support/compare.hpp"
@@ -26,8 +28,7 @@ bool contains(const oracle::BoxNode& node, const rsh_ray& ray, bool converging) 
     const Float3 o = test::origin(ray), d = test::direction(ray);
     const float tmax = ray.direction_tmax.s[3];
     if (!converging)
-        return node.tmax >= tmax &&
-               oracle::contains(node, Long3(o), kPad * max_norm(o), d);
+        return node.tmax >= tmax && oracle::contains(node, Long3(o), kPad * max_norm(o), d);
     if (!ends_at_one(ray))  // anywhere, in any direction
         return std::isinf(node.origin_high.x) && std::isinf(node.direction_low.z) &&
                oracle::contains(node, Long3(o), 0, d);
@@ -91,7 +92,8 @@ bool is_empty(const rsh_box_group& group, uint32_t k) {
         const long double pad = kPad * max_norm(p);
         const float at[3] = {p.x, p.y, p.z};
         for (int axis = 0; axis < 3; ++axis)
-            if (!(group.low[axis][k] <= at[axis] - pad && group.high[axis][k] >= at[axis] + pad))
+            if (!(group.low[axis][k] <= at[axis] - pad &&
+                  group.high[axis][k] >= at[axis] + pad))
                 return ::testing::AssertionFailure()
                        << "triangle " << t << ", axis " << axis << ": " << at[axis]
                        << " is not inside " << group.low[axis][k] << " .. "
@@ -109,32 +111,61 @@ bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& be
     return true;
 }
 
-// Levels one after the other, each with the groups of the one below in its boxes.
-TEST_P(Box, OfTheSceneContainsWhatIsBelowIt) {
-    test::Random random(5);
-    const test::Mesh mesh = GetParam().make(random).mesh;
-    const auto groups = test::bound_boxes(test::DeviceMesh(mesh));
+void expect_permutation(std::vector<uint32_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    for (uint32_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], i);
+}
+
+// Levels one after the other, each with the groups of the one below in its boxes; those of
+// clusters have their children where `children` says.
+void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
+    const auto& groups = boxes.groups;
+    expect_permutation(boxes.children);
+    expect_permutation(boxes.order);
     uint32_t below = (mesh.triangle_count() + 15) / 16, first = 0;
-    for (uint32_t g = 0; g < below; ++g)
-        for (uint32_t k = 0; k < 16; ++k)
-            ASSERT_TRUE(holds_triangle(groups[g], k, mesh, 16 * g + k));
-    for (uint32_t boxes = below; boxes > 0; boxes = below) {
-        const uint32_t level = first + boxes;  // where its groups begin
-        below = (boxes + 15) / 16;
+    for (uint32_t i = 0; i < 16 * below; ++i) {
+        const uint32_t t = i < boxes.order.size() ? boxes.order[i] : i;
+        ASSERT_TRUE(holds_triangle(groups[i / 16], i % 16, mesh, t));
+    }
+    for (uint32_t boxes_here = below; boxes_here > 0; boxes_here = below) {
+        const uint32_t level = first + boxes_here;  // where its groups begin
+        below = (boxes_here + 15) / 16;
         ASSERT_LE(level + below, groups.size());
         for (uint32_t i = 0; i < 16 * below; ++i) {
             const rsh_box_group& group = groups[level + i / 16];
-            if (i < boxes)
-                ASSERT_TRUE(holds_group(group, i % 16, groups[first + i])) << "box " << i;
-            else
+            if (i >= boxes_here) {
                 ASSERT_TRUE(is_empty(group, i % 16)) << "box " << i;
+                continue;
+            }
+            const uint32_t child = first ? first + i : boxes.children[i];
+            ASSERT_TRUE(holds_group(group, i % 16, groups[child])) << "box " << i;
         }
         first = level;
         if (below == 1) break;
     }
 }
 
+TEST_P(Box, OfTheSceneContainsWhatIsBelowIt) {
+    test::Random random(5);
+    const test::Mesh mesh = GetParam().make(random).mesh;
+    expect_contained(mesh, test::bound_boxes(test::DeviceMesh(mesh)));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Box, ::testing::ValuesIn(test::all_cases()), test::case_name);
+
+// Neighbours in the index that are none in space: the triangles are ordered, and only then.
+TEST(BoxOrder, IsThatOfTrianglesWhereRunsOfThemAreSparse) {
+    test::Random random(6);
+    const uint32_t triangles = test::small() ? 600 : 20000;
+    const test::Mesh strewn = test::random_soup(random, triangles, 0.01f);
+    const test::SceneBoxes of_strewn = test::bound_boxes(test::DeviceMesh(strewn));
+    EXPECT_TRUE(of_strewn.is_ordered);
+    expect_contained(strewn, of_strewn);
+    const test::Mesh closed = test::sphere(test::small() ? 24 : 160, 81);
+    const test::SceneBoxes of_closed = test::bound_boxes(test::DeviceMesh(closed));
+    EXPECT_FALSE(of_closed.is_ordered);
+    expect_contained(closed, of_closed);
+}
 
 TEST(BoxSizes, ContainRaysInGridsOfAnyShape) {
     test::Random random(4);

@@ -24,14 +24,12 @@ bool ends_at_one(const rsh_ray& ray) {
     const Float3 d = test::direction(ray);
     const Long3 origin(test::origin(ray));
     const bool is_inside =
-        !converging ? oracle::contains(node, origin, d)
-        : ends_at_one(ray)
-            ? oracle::contains(node, origin + Long3(d), Float3(-d.x, -d.y, -d.z))
-            : node.spread == 2 && oracle::contains(node, origin, d);
+        !converging        ? oracle::contains(node, origin, d)
+        : ends_at_one(ray) ? oracle::contains(node, origin + Long3(d), Float3(-d.x, -d.y, -d.z))
+                           : node.spread == 2 && oracle::contains(node, origin, d);
     if (is_inside) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure()
-           << "ray is outside: " << ray << ", radius " << node.radius << ", spread "
-           << node.spread;
+    return ::testing::AssertionFailure() << "ray is outside: " << ray << ", radius "
+                                         << node.radius << ", spread " << node.spread;
 }
 
 ::testing::AssertionResult contains_its_rays(const oracle::FittedNode& node, const Rays& rays,
@@ -62,9 +60,9 @@ void expect_contains_all(const Rays& rays, bool converging) {
                 std::vector<size_t> below;
                 if (test::child_of(l, level, parent, k, &x, &y) >= 0)
                     below = test::rays_below(l, level, x, y);
-                ASSERT_TRUE(contains_its_rays(
-                    oracle::child_of(groups[l.first_quad[level] + parent], k), rays, below,
-                    converging))
+                ASSERT_TRUE(
+                    contains_its_rays(oracle::child_of(groups[l.first_quad[level] + parent], k),
+                                      rays, below, converging))
                     << "child " << k << " of node " << parent << " of level " << level + 1;
             }
 }

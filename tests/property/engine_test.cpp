@@ -41,8 +41,7 @@ TEST_P(Engine, FindsTheOcclusionOfBruteForce) {
     const std::vector<uint32_t> masks(c.rays.rays.size(), 0xa5a50000u);
     const auto expected = occlusion(mesh, c.rays, masks, 13, brute_force());
     for (const TraceOptions& way : test::all_ways())
-        EXPECT_TRUE(
-            test::same_bits(occlusion(mesh, c.rays, masks, 13, way), expected, "masks"))
+        EXPECT_TRUE(test::same_bits(occlusion(mesh, c.rays, masks, 13, way), expected, "masks"))
             << name_of(way);
 }
 
@@ -57,8 +56,7 @@ TEST_P(Engine, FindsTheSameWhenRaysCountAsConverging) {
         SCOPED_TRACE(name_of(way));
         way.converging = true;
         EXPECT_TRUE(test::same_bits(closest_hits(mesh, c.rays, way), hits, "hits"));
-        EXPECT_TRUE(
-            test::same_bits(occlusion(mesh, c.rays, masks, 0, way), occluded, "masks"));
+        EXPECT_TRUE(test::same_bits(occlusion(mesh, c.rays, masks, 0, way), occluded, "masks"));
     }
 }
 

@@ -1,6 +1,7 @@
 // trace.cpp - descriptors, buffers and waiting, once for all tests.
 #include "trace.hpp"
 
+#include <cstring>
 #include <memory>
 
 namespace test {
@@ -144,8 +145,19 @@ std::vector<cl_float4> bound(const DeviceMesh& mesh) {
     return bounds_of<cl_float4>(mesh, RSH_BOUND_CONE);
 }
 
-std::vector<rsh_box_group> bound_boxes(const DeviceMesh& mesh) {
-    return bounds_of<rsh_box_group>(mesh, RSH_BOUND_BOX);
+SceneBoxes bound_boxes(const DeviceMesh& mesh) {
+    const std::vector<uint32_t> words = bounds_of<uint32_t>(mesh, RSH_BOUND_BOX);
+    const uint32_t triangles = mesh.geometry().triangle_count;
+    const uint32_t clusters = (triangles + 15) / 16;
+    SceneBoxes made;
+    made.groups.resize((words.size() - 2 - triangles - clusters) / 96);
+    const uint32_t* behind = words.data() + 96 * made.groups.size();
+    std::memcpy(made.groups.data(), words.data(), made.groups.size() * sizeof(rsh_box_group));
+    made.children.assign(behind, behind + clusters);
+    made.is_ordered = triangles && behind[clusters + triangles] != 0;
+    for (uint32_t i = 0; i < triangles; ++i)
+        made.order.push_back(made.is_ordered ? behind[clusters + i] : i);
+    return made;
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

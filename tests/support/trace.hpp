@@ -49,8 +49,14 @@ std::vector<Node> nodes_of(const BuiltNodes& built) {
 
 // Spheres of the bound `cone`.
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
-// Groups of the bound `box`.
-std::vector<rsh_box_group> bound_boxes(const DeviceMesh& mesh);
+// What rsh_bound makes for the bound `box`, see kernels/scene_boxes.h.
+struct SceneBoxes {
+    std::vector<rsh_box_group> groups;
+    std::vector<uint32_t> children;  // of the clusters
+    std::vector<uint32_t> order;     // of the triangles
+    bool is_ordered;                 // by triangle; else order counts up
+};
+SceneBoxes bound_boxes(const DeviceMesh& mesh);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;
