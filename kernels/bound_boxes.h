@@ -62,7 +62,8 @@ static void load_corners(rsh_mesh mesh, __global const float* vertices,
 }
 
 /* Boxes of 16 triangles, padded as box.h says, and the box around them. */
-static void bound_triangles(const rsh_corner_rows* corners, __global float* group, float* around)
+static void bound_triangles(const rsh_corner_rows* corners, __global float* group,
+                            float* around)
 {
     floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
     for (uint v = 0; v < RSH_VECTORS; ++v) {

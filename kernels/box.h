@@ -7,7 +7,7 @@
  * for one and the same t. By the signs of the directions:
  *   d > 0:  L / d_high <= t <= H / d_low      (for L < 0, H < 0 the bounds are loose, but have
  *   d < 0:  H / d_low  <= t <= L / d_high      the right sign, and t starts at 0: nothing lost)
- *   mixed:  t >= L / d_high if L > 0 (no ray gets there if d_high <= 0), t >= H / d_low if H < 0
+ *   mixed:  t >= L / d_high if L > 0 (never if d_high <= 0), t >= H / d_low if H < 0
  * so that two differences and two products per axis do. A minimum or maximum is associative: a
  * parent is as tight as if it were fitted to all its rays.
  *

@@ -1,8 +1,8 @@
 /* build_boxes.cl - the hierarchy over the rays with the bound `box`, bottom-up.
  *   rays   in   level 0
  *   nodes  out  groups of 16 nodes; see rsh_node_group
- * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test anything
- * against the scene.
+ * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test
+ * anything against the scene.
  */
 #include "box.h"
 #include "tile.h"

@@ -28,11 +28,11 @@ static intv are_finite(floatv x, floatv y, floatv z)
     return (x - x) + (y - y) + (z - z) == (floatv)(0.0f);
 }
 
-/* The same rays from their points at t = 1 backwards: thinnest where they meet. Every point with
- * t <= 1 lies that way; other rays go anywhere. The radius makes up for the sum, which rounds
- * by u per component, and for the hits of intersect.h: those are off by 45u of their distance
- * to the origin, which is the direction's length more than the distance to the start that
- * cone_fitted.h allows for. */
+/* The same rays from their points at t = 1 backwards: thinnest where they meet. Every point
+ * with t <= 1 lies that way; other rays go anywhere. The radius makes up for the sum, which
+ * rounds by u per component, and for the hits of intersect.h: those are off by 45u of their
+ * distance to the origin, which is the direction's length more than the distance to the start
+ * that cone_fitted.h allows for. */
 static void reverse(rsh_sheaf* s, uint v, floatv tmax)
 {
     floatv end[3], length = (floatv)(0.0f), at = (floatv)(0.0f);
@@ -53,7 +53,7 @@ static void reverse(rsh_sheaf* s, uint v, floatv tmax)
 }
 
 /* Normalising errs by at most 12u in angle, 16u in length (u = 2^-24), also where divisions err
- * by 2.5 ulp. A denormal direction may lose its bits to the division: it could point anywhere. */
+ * by 2.5 ulp. A denormal direction may lose its bits to the division: anywhere, then. */
 static void normalize_directions(rsh_sheaf* s, uint v)
 {
     floatv d[3];
@@ -162,9 +162,9 @@ static rsh_fitted guess(rsh_extent e)
     return cone;
 }
 
-/* Raises radius and spread to hold the rays. Cross and dot products of unit vectors that are 16u
- * off in length, 12u in angle: with their own 6u below 54u; the padding of `spread` is 2^-18 =
- * 64u. A length errs by 2^-20, a difference by u. */
+/* Raises radius and spread to hold the rays. Cross and dot products of unit vectors that are
+ * 16u off in length, 12u in angle: with their own 6u below 54u; the padding of `spread` is
+ * 2^-18 = 64u. A length errs by 2^-20, a difference by u. */
 static void measure(rsh_fitted* cone, const rsh_sheaf* s)
 {
     floatv radius = (floatv)(-1.0f), spread = (floatv)(0.0f);

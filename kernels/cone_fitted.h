@@ -1,5 +1,5 @@
-/* cone_fitted.h - the bound `cone_fitted`: cones capped by spheres, each fitted to all its rays,
- * 16 of them side by side; and the test of such nodes against a sphere.
+/* cone_fitted.h - the bound `cone_fitted`: cones capped by spheres, each fitted to all its
+ * rays, 16 of them side by side; and the test of such nodes against a sphere.
  *
  * A node's rays start within `radius` of the apex C and leave within the half-angle a of the
  * axis x, so they stay in the bare cone grown by the radius. The test is exact: the distance
@@ -18,8 +18,8 @@
  * 1 - sin^2 would be noise: spreads there count as 93 degrees. From 120 on a cone counts as
  * all directions: it rejects too little to be worth a test.
  *
- * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down to
- * |cos a| = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that intersect.h reports
+ * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down
+ * to |cos a| = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that intersect.h reports
  * can lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S) is 128u.
  * Underflow and rounding are monotonic and cannot turn a comparison round; what overflows or is
  * NaN is kept.

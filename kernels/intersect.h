@@ -122,8 +122,8 @@ static rsh_seen see_corners(rsh_sheared r, const floatv* corner)
 }
 
 /* 1 for triangles of 2^-20 to 2^20 in size, the larger component of two edges; otherwise the
- * power of two that brings the size to 1 .. 2; from the exponent's bits, kept away from those of
- * 0 and infinity. */
+ * power of two that brings the size to 1 .. 2; from the exponent's bits, kept away from those
+ * of 0 and infinity. */
 static floatv triangle_scale(const floatv* corner)
 {
     floatv size = (floatv)(0.0f);
@@ -132,7 +132,8 @@ static floatv triangle_scale(const floatv* corner)
                                fabs(corner[6 + axis] - corner[axis])));
     const intv exponent = as_intv(size) & 0x7f800000;
     const floatv power = as_floatv(0x7f000000 - min(exponent, (intv)(0x7e800000)));
-    return select(power, (floatv)(1.0f), (size >= (floatv)(0x1p-20f)) & (size <= (floatv)(0x1p20f)));
+    const intv is_usual = (size >= (floatv)(0x1p-20f)) & (size <= (floatv)(0x1p20f));
+    return select(power, (floatv)(1.0f), is_usual);
 }
 
 static void scale_across(rsh_seen* s, floatv scale)

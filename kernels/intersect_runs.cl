@@ -29,8 +29,9 @@ __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global 
 }
 
 /* A work-item takes the blocks of a tile. */
-__kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh, __global const float* vertices,
-                                 __global const uint* indices, __global const rsh_ray* rays,
+__kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
+                                 __global const float* vertices, __global const uint* indices,
+                                 __global const rsh_ray* rays,
                                  rsh_box_levels boxes, __global const uint* bounds,
                                  __global const uint* triangles, __global const uint2* runs,
                                  __global rsh_hit* hits, __global uint* occlusion,

@@ -43,8 +43,8 @@ typedef struct rsh_run_step {
 RSH_ASSERT_SIZE(rsh_run_step, 44);
 
 /* Words that such a batch leaves for the statistics: [level] pairs in the stream of the level,
- * [RSH_TALLY_SURVIVORS + level] those that there should have been, [RSH_TALLY_FINISHED] tests of
- * a triangle against a tile's blocks by rsh_finish_runs, [... + 1] against a block's rays. */
+ * [RSH_TALLY_SURVIVORS + level] those that there should have been, [RSH_TALLY_FINISHED] tests
+ * of triangles against a tile's blocks by rsh_finish_runs, [... + 1] against rays. */
 #define RSH_TALLY_SURVIVORS 17
 #define RSH_TALLY_FINISHED 34
 #define RSH_TALLY_WORDS 36

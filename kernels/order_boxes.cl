@@ -1,10 +1,10 @@
-/* order_boxes.cl - Morton order for what bound_boxes.cl bounds, remade every frame: of clusters,
- * or of the triangles themselves where runs of 16 of them are no neighbours.
+/* order_boxes.cl - Morton order for what bound_boxes.cl bounds, remade every frame: of
+ * clusters, or of the triangles themselves where runs of 16 of them are no neighbours.
  *   unordered  in   groups of clusters in index order, the boxes that rsh_bound_triangles made
  *   boxes      out  see scene_boxes.h
- * A counting sort of 22-bit keys in two passes; each work-item has a run of the elements and its
- * own counts. Which of the two is ordered is decided on the device, from the clusters' own size.
- */
+ * A counting sort of 22-bit keys in two passes; each work-item has a run of the elements and
+ * its own counts. Which of the two is ordered is decided on the device, from the clusters' own
+ *size. /
 #include "bound_boxes.h"
 
 #define RSH_BINS 2048
@@ -115,8 +115,8 @@ static rsh_extent whole_extent(__global const rsh_extent* extents, uint count)
     return whole;
 }
 
-/* Then the order of the triangles themselves is worth its price. Some clusters always are: those
- * that end one object and begin the next. */
+/* Then the order of the triangles themselves is worth its price. Some clusters always are:
+ * those that end one object and begin the next. */
 static bool is_sparse(rsh_extent extent) { return extent.sparse > extent.asked / 4; }
 
 /* Every third bit, from the lower 8. */
@@ -177,11 +177,12 @@ __kernel void rsh_order_keys(rsh_box_levels levels, __global const float* boxes,
     const rsh_extent whole = whole_extent(extents, get_global_size(0));
     const rsh_sorting sorting = sorting_of(levels, extents);
     const rsh_part mine = my_groups(sorting.count, me);
+    __global const float* elements = sorting.is_sparse ? boxes : unordered;
     __global uint* own = bins + RSH_BINS * me;
     clear_bins(own);
     for (uint g = mine.begin; g < mine.end; ++g) {
         uint key[16];
-        keys_of_group((sorting.is_sparse ? boxes : unordered) + RSH_GROUP_WORDS * g, whole, key);
+        keys_of_group(elements + RSH_GROUP_WORDS * g, whole, key);
         for (uint k = 0; k < 16 && 16 * g + k < sorting.count; ++k) {
             keys[16 * g + k] = key[k];
             ++own[key[k] % RSH_BINS];

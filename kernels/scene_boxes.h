@@ -1,8 +1,8 @@
 /* scene_boxes.h - what rsh_bound makes for the bound `box`, and how to find one's way in it:
  *   groups    rsh_box_levels::group_count x rsh_box_group, level by level
- *   children  a word per cluster: its group of level 0. Level 1 is in Morton order, so that runs
- *             of 16 clusters lie close together even where the triangles jump from object to
- *             object; level 0 stays where it is. Above, box i has the children group i.
+ *   children  a word per cluster: its group of level 0. Level 1 is in Morton order, so that
+ *             runs of 16 clusters lie close together even where the triangles jump from object
+ *             to object; level 0 stays where it is. Above, box i has the children group i.
  *   order     a word per triangle, if is_ordered: the triangle in that place of level 0
  *   is_ordered    a word
  *   cluster_size  a float: the surface of a typical cluster's box, three of its sides

@@ -18,7 +18,8 @@ static rsh_tile tile_at(rsh_levels shape, uint tile)
 {
     if (shape.is_list) return (rsh_tile){shape.width[0], 0, 256 * tile, 0};
     const uint columns = shape.width[2];
-    return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16, tile / columns * 16};
+    return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16,
+                      tile / columns * 16};
 }
 
 /* Index of a ray of the tile; RSH_NO_RAY outside of the grid or list. */

@@ -1,5 +1,5 @@
-/* tile_block.h - the sixteen rays of a block while their tile is traversed: what they have hit so
- * far, which of them meet a box, and what a triangle changes. */
+/* tile_block.h - the sixteen rays of a block while their tile is traversed: what they have hit
+ * so far, which of them meet a box, and what a triangle changes. */
 #ifndef RSH_TILE_BLOCK_H
 #define RSH_TILE_BLOCK_H
 
@@ -7,10 +7,10 @@
 #include "intersect.h"
 
 typedef struct rsh_block {
-    rsh_sheared ray[RSH_VECTORS];          /* tmax: of the closest hit so far; -1: retired      */
-    floatv inverse[3][RSH_VECTORS];        /* of the direction                                  */
-    intv is_negative[3][RSH_VECTORS];      /* the direction                                     */
-    floatv u[RSH_VECTORS], v[RSH_VECTORS]; /* of the closest hit                                */
+    rsh_sheared ray[RSH_VECTORS];          /* tmax: of the closest hit so far; -1: retired */
+    floatv inverse[3][RSH_VECTORS];        /* of the direction */
+    intv is_negative[3][RSH_VECTORS];      /* the direction */
+    floatv u[RSH_VECTORS], v[RSH_VECTORS]; /* of the closest hit */
     uintv primitive[RSH_VECTORS];
     floatv given_tmax[RSH_VECTORS];
     rsh_bundle bundle; /* of all rays */

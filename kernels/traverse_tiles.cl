@@ -1,11 +1,11 @@
-/* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes of the scene front to back,
- * triangles and single rays last.
+/* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes of the scene front to
+ * back, triangles and single rays last.
  *   boxes      in      of triangles, clusters, clusters of clusters (scene_boxes.h)
  *   nodes      in      blocks of the tiles (build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
- * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of 15
- * boxes per level. Whatever a decision below costs or saves, it only leaves out tests that
+ * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of
+ * 15 boxes per level. Whatever a decision below costs or saves, it only leaves out tests that
  * cannot succeed.
  */
 #include "scene_boxes.h"
@@ -18,13 +18,9 @@
 /* Up to so many blocks look at a cluster's triangles on their own. */
 #define RSH_FEW_BLOCKS 3
 /* What going down the boxes costs besides what is met there, in clusters met. */
-#ifndef RSH_START
 #define RSH_START 20.0f
-#endif
 /* Clusters that a ray on its own meets, in the same measure as a bundle. */
-#ifndef RSH_RAY
 #define RSH_RAY 8.0f
-#endif
 
 typedef struct rsh_geometry_in {
     rsh_mesh mesh;
@@ -417,8 +413,8 @@ static bool traverse_together(rsh_work* work, uint blocks, const float* cost)
     return true;
 }
 
-/* A tile whose rays have little in common, as at the edge between two mirrors, goes by quarters,
- * blocks or rays. */
+/* A tile whose rays have little in common, as at the edge between two mirrors, goes by
+ * quarters, blocks or rays. */
 static void traverse_tile(rsh_work* work, uint active)
 {
     float cost[16];
@@ -443,8 +439,8 @@ __kernel void rsh_traverse_tiles(rsh_mesh mesh, __global const float* vertices,
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    const rsh_geometry_in scene = {
-        mesh, vertices, indices, boxes, (__global const uint*)boxes + children_at(levels), levels};
+    __global const uint* children = (__global const uint*)boxes + children_at(levels);
+    const rsh_geometry_in scene = {mesh, vertices, indices, boxes, children, levels};
     rsh_work work;
     work.scene = &scene;
     work.rays = rays;

@@ -304,7 +304,7 @@ typedef struct rsh_bound_desc {
     cl_mem bounds; /* out: rsh_sizes.output_bytes.
                       cone, cone_fitted: triangle_count x float4, centre and radius [world];
                             radius -1: the triangle is never hit.
-                      box:  boxes of triangles and of runs of them, for rsh_traverse           */
+                      box:  boxes of triangles and of runs of them, for rsh_traverse          */
     cl_mem scratch; /* box */
 } rsh_bound_desc;
 
@@ -345,8 +345,8 @@ RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* de
  *
  * Effect:  every node contains all active rays below it, rounding included.
  * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes;
- *          cone_fitted: 1 + 2 launches per level above the tiles of 256 rays, each of which reads
- *          all rays again; 2.2 bytes. */
+ *          cone_fitted: 1 + 2 launches per level above the tiles of 256 rays, each of which
+ *          reads all rays again; 2.2 bytes. */
 RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
                              const rsh_build_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -412,12 +412,12 @@ typedef struct rsh_traverse_desc {
     cl_uint occlusion_bit; /* any: 0 .. 31: the bit that is set when the ray hits something;
                               other bits, and rays that hit nothing, stay as they are         */
     cl_uint engine;        /* RSH_ENGINE_... */
-    cl_uint bound;         /* RSH_BOUND_... of `bounds` and `nodes`; one that the engine takes */
+    cl_uint bound;         /* RSH_BOUND_... of `bounds` and `nodes`; one the engine takes     */
     cl_uint strategy;      /* RSH_STRATEGY_...; paper_faithful. paper packs by counts of its
                               own and ignores it                                              */
     size_t budget;         /* paper_faithful, paper: bytes for the pair streams; 0: enough for
-                              most scenes, at least RSH_MIN_BUDGET otherwise. Changes time, never
-                              a hit                                                           */
+                              most scenes, at least RSH_MIN_BUDGET otherwise. Changes time,
+                              never a hit                                                     */
     cl_mem scratch;
     rsh_progress progress; /* may be NULL */
     void* progress_user;
@@ -441,8 +441,8 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          tiles: a work-item takes a tile of 256 rays down the boxes of the scene, the nearest
  *          first; what lies behind the tile's farthest hit is never looked at.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
- *          paper: the same, 3 or 4 launches per level and half as many levels; beside the streams
- *          about 1 byte per ray.
+ *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
+ *          streams about 1 byte per ray.
  *          tiles: one launch; memory beyond bounds, nodes and hits: none. */
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
@@ -586,10 +586,10 @@ RSH_API rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* 
  *          never picks a strategy that rsh_device_selftest masked.
  * Limits:  input and output must not overlap. No strategy assumes that work-groups wait for
  *          each other: lookback counts a tile itself that says nothing for long.
- * Cost:    in launches and in bytes moved, for n elements of e bytes with f bytes of flags, k of
- *          them kept: chunk 2 launches (1 if short), 2 n f + n e + k e (not NULL: 2 n e + k e);
- *          block 3, and 2 k e more; scan_scatter 3; count_emit 2; lookback and atomic_group 2,
- *          n f + n e + k e; atomic 2; horn 2 + log2 n; blelloch 3 + 2 log2 n. */
+ * Cost:    in launches and in bytes moved, for n elements of e bytes with f bytes of flags, k
+ *          of them kept: chunk 2 launches (1 if short), 2 n f + n e + k e (not NULL: 2 n e + k
+ *          e); block 3, and 2 k e more; scan_scatter 3; count_emit 2; lookback and atomic_group
+ *          2, n f + n e + k e; atomic 2; horn 2 + log2 n; blelloch 3 + 2 log2 n. */
 RSH_API rsh_status rsh_reduce(rsh_context context, cl_command_queue queue,
                               const rsh_reduce_desc* desc, cl_uint wait_count,
                               const cl_event* wait_list, cl_event* done);

@@ -80,8 +80,8 @@ typedef struct rsh_node_quad {
 } rsh_node_quad;
 RSH_ASSERT_SIZE(rsh_node_quad, 128);
 
-/* Sixteen boxes side by side: of 16 triangles, or around 16 such groups. [axis][box]. A box that
- * holds nothing has low = infinity, high = -infinity. */
+/* Sixteen boxes side by side: of 16 triangles, or around 16 such groups. [axis][box]. A box
+ * that holds nothing has low = infinity, high = -infinity. */
 typedef struct rsh_box_group {
     rsh_float low[3][16];
     rsh_float high[3][16];
@@ -94,8 +94,8 @@ typedef struct rsh_node_group {
     rsh_float origin_high[3][16];
     rsh_float direction_low[3][16];
     rsh_float direction_high[3][16];
-    rsh_float tmax[16];         /* of the farthest ray; -1: the node holds no active ray        */
-    rsh_uint is_converging[16]; /* 1: seen from t = 1, backwards; see rsh_build_desc            */
+    rsh_float tmax[16];         /* of the farthest ray; -1: the node holds no active ray */
+    rsh_uint is_converging[16]; /* 1: seen from t = 1, backwards; see rsh_build_desc */
 } rsh_node_group;
 RSH_ASSERT_SIZE(rsh_node_group, 896);
 
@@ -115,15 +115,15 @@ RSH_ASSERT_SIZE(rsh_cone_group, 512);
 /* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
  * Level 0 holds the rays. A node of level l + 1 has fan * fan children of level l: node (x, y)
- * those from (fan * x, fan * y) on, row by row; in a list, a run of fan * fan. A node's index is
- * y * width[l] + x; children outside of the level are inactive.
+ * those from (fan * x, fan * y) on, row by row; in a list, a run of fan * fan. A node's index
+ * is y * width[l] + x; children outside of the level are inactive.
  *
  * cone: fan 2, level `count` is the root; the children of a node are one rsh_node_quad, number
  *       first_quad[l] + index.
  * box:  fan 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
  *       one rsh_node_group, number index.
- * cone_fitted: fan 4, level `count` is the root; the children at level l >= 1 of a node of level
- *       l + 1 are one rsh_cone_group, number first_quad[l] + index; rays have none. */
+ * cone_fitted: fan 4, level `count` is the root; the children at level l >= 1 of a node of
+ *       level l + 1 are one rsh_cone_group, number first_quad[l] + index; rays have none. */
 typedef struct rsh_levels {
     rsh_uint count;
     rsh_uint is_list; /* 1: every level has height 1, children in a row */
