@@ -4,7 +4,7 @@
  *   boxes      out  see scene_boxes.h
  * A counting sort of 22-bit keys in two passes; each work-item has a run of the elements and
  * its own counts. Which of the two is ordered is decided on the device, from the clusters' own
- *size. /
+ * size. */
 #include "bound_boxes.h"
 
 #define RSH_BINS 2048
