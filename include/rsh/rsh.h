@@ -143,12 +143,12 @@ RSH_API rsh_status rsh_find_device(const char* name, cl_platform_id* platform,
 /* The paper's repartition of a frame's time. */
 enum {
     RSH_STAGE_RASTERIZE = 0, /* primary rays and hits                              */
-    RSH_STAGE_BOUND = 1,     /* spheres around the triangles                       */
+    RSH_STAGE_BOUND = 1,     /* bounds of the triangles                            */
     RSH_STAGE_SPAWN = 2,     /* secondary and shadow rays                          */
     RSH_STAGE_BUILD = 3,     /* the hierarchy                                      */
-    RSH_STAGE_TEST = 4,      /* cone-sphere tests                                  */
+    RSH_STAGE_TEST = 4,      /* triangles against nodes                            */
     RSH_STAGE_REDUCE = 5,    /* stream reduction                                   */
-    RSH_STAGE_INTERSECT = 6, /* ray-triangle tests                                 */
+    RSH_STAGE_INTERSECT = 6, /* ray-triangle tests; tiles: the whole traversal     */
     RSH_STAGE_SHADE = 7,     /* shading                                            */
     RSH_STAGE_OTHER = 8,     /* clears, reads, and what no other stage claims      */
     RSH_STAGE_COUNT = 9

@@ -19,7 +19,7 @@ struct NamedStage {
 };
 constexpr std::array<NamedStage, 8> kNamedStages{{
     {RSH_STAGE_RASTERIZE, "rasterization", "rasterize"},
-    {RSH_STAGE_BOUND, "triangle spheres", "bound"},
+    {RSH_STAGE_BOUND, "bounds", "bound"},
     {RSH_STAGE_SPAWN, "secondary rays", "spawn"},
     {RSH_STAGE_BUILD, "hierarchy", "build"},
     {RSH_STAGE_TEST, "cone-sphere tests", "test"},
