@@ -152,7 +152,9 @@ SceneBoxes bound_boxes(const DeviceMesh& mesh) {
     SceneBoxes made;
     made.groups.resize((words.size() - 2 - triangles - clusters) / 96);
     const uint32_t* behind = words.data() + 96 * made.groups.size();
-    std::memcpy(made.groups.data(), words.data(), made.groups.size() * sizeof(rsh_box_group));
+    if (!made.groups.empty())
+        std::memcpy(made.groups.data(), words.data(),
+                    made.groups.size() * sizeof(rsh_box_group));
     made.children.assign(behind, behind + clusters);
     made.is_ordered = triangles && behind[clusters + triangles] != 0;
     for (uint32_t i = 0; i < triangles; ++i)
