@@ -49,4 +49,14 @@ RSH_ASSERT_SIZE(rsh_run_step, 44);
 #define RSH_TALLY_FINISHED 34
 #define RSH_TALLY_WORDS 36
 
+/* Of the sort of order_boxes.cl: counts per work-item, and what it saw of the scene. */
+#define RSH_ORDER_BINS 2048
+typedef struct rsh_scene_extent {
+    rsh_float low[3], high[3];
+    rsh_uint asked, sparse; /* clusters; those that are mostly empty */
+    rsh_float surface;      /* of the asked ones that are not        */
+    rsh_float padding;
+} rsh_scene_extent;
+RSH_ASSERT_SIZE(rsh_scene_extent, 40);
+
 #endif

@@ -7,16 +7,6 @@
  * size. */
 #include "bound_boxes.h"
 
-#define RSH_BINS 2048
-
-/* What a work-item saw of the scene. */
-typedef struct rsh_extent {
-    float low[3], high[3];
-    uint asked, sparse; /* clusters; those that are mostly empty      */
-    float surface;      /* of the asked ones that are not             */
-    float padding;
-} rsh_extent;
-
 static float surface_of(const float* low, const float* high)
 {
     const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
@@ -69,7 +59,7 @@ static rsh_part my_groups(uint count, uint item)
 
 /* One cluster in 64 is asked how its triangles fill it. */
 static void ask_cluster(__global const float* boxes, __global const float* unordered,
-                        uint cluster, rsh_extent* extent)
+                        uint cluster, rsh_scene_extent* extent)
 {
     float low[3], high[3];
     box_in(unordered + RSH_GROUP_WORDS * (cluster / 16), cluster % 16, low, high);
@@ -83,10 +73,11 @@ static void ask_cluster(__global const float* boxes, __global const float* unord
 }
 
 __kernel void rsh_order_measure(rsh_box_levels levels, __global const float* boxes,
-                                __global const float* unordered, __global rsh_extent* extents)
+                                __global const float* unordered,
+                                __global rsh_scene_extent* extents)
 {
     const rsh_part mine = my_groups(levels.boxes[1], get_global_id(0));
-    rsh_extent extent = {
+    rsh_scene_extent extent = {
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0, 0.0f, 0.0f};
     for (uint g = mine.begin; g < mine.end; ++g) {
         __global const float* group = unordered + RSH_GROUP_WORDS * g;
@@ -100,9 +91,9 @@ __kernel void rsh_order_measure(rsh_box_levels levels, __global const float* box
 }
 
 /* What all work-items saw; each adds it up for itself. */
-static rsh_extent whole_extent(__global const rsh_extent* extents, uint count)
+static rsh_scene_extent whole_extent(__global const rsh_scene_extent* extents, uint count)
 {
-    rsh_extent whole = extents[0];
+    rsh_scene_extent whole = extents[0];
     for (uint i = 1; i < count; ++i) {
         for (uint axis = 0; axis < 3; ++axis) {
             whole.low[axis] = fmin(whole.low[axis], extents[i].low[axis]);
@@ -117,7 +108,7 @@ static rsh_extent whole_extent(__global const rsh_extent* extents, uint count)
 
 /* Then the order of the triangles themselves is worth its price. Some clusters always are:
  * those that end one object and begin the next. */
-static bool is_sparse(rsh_extent extent) { return extent.sparse > extent.asked / 4; }
+static bool is_sparse(rsh_scene_extent extent) { return extent.sparse > extent.asked / 4; }
 
 /* Every third bit, from the lower 8. */
 static uintv spread_bits(uintv x)
@@ -129,7 +120,7 @@ static uintv spread_bits(uintv x)
 
 /* Keys of 16 boxes: their centres' cells in a grid of 256 along the longest side, Morton order,
  * without the lowest two bits. Boxes that hold nothing go last. */
-static void keys_of_group(__global const float* group, rsh_extent extent, uint* keys)
+static void keys_of_group(__global const float* group, rsh_scene_extent extent, uint* keys)
 {
     float longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
@@ -156,7 +147,7 @@ typedef struct rsh_sorting {
     bool is_sparse;
 } rsh_sorting;
 
-static rsh_sorting sorting_of(rsh_box_levels levels, __global const rsh_extent* extents)
+static rsh_sorting sorting_of(rsh_box_levels levels, __global const rsh_scene_extent* extents)
 {
     const bool by_triangle = is_sparse(whole_extent(extents, get_global_size(0)));
     return (rsh_sorting){levels.boxes[by_triangle ? 0 : 1], 0, by_triangle};
@@ -164,28 +155,28 @@ static rsh_sorting sorting_of(rsh_box_levels levels, __global const rsh_extent* 
 
 static void clear_bins(__global uint* bins)
 {
-    for (uint b = 0; b < RSH_BINS; ++b) bins[b] = 0;
+    for (uint b = 0; b < RSH_ORDER_BINS; ++b) bins[b] = 0;
 }
 
 /* Keys of all elements, and how many have each lower half. */
 __kernel void rsh_order_keys(rsh_box_levels levels, __global const float* boxes,
                              __global const float* unordered,
-                             __global const rsh_extent* extents, __global uint* keys,
+                             __global const rsh_scene_extent* extents, __global uint* keys,
                              __global uint* bins)
 {
     const uint me = get_global_id(0);
-    const rsh_extent whole = whole_extent(extents, get_global_size(0));
+    const rsh_scene_extent whole = whole_extent(extents, get_global_size(0));
     const rsh_sorting sorting = sorting_of(levels, extents);
     const rsh_part mine = my_groups(sorting.count, me);
     __global const float* elements = sorting.is_sparse ? boxes : unordered;
-    __global uint* own = bins + RSH_BINS * me;
+    __global uint* own = bins + RSH_ORDER_BINS * me;
     clear_bins(own);
     for (uint g = mine.begin; g < mine.end; ++g) {
         uint key[16];
         keys_of_group(elements + RSH_GROUP_WORDS * g, whole, key);
         for (uint k = 0; k < 16 && 16 * g + k < sorting.count; ++k) {
             keys[16 * g + k] = key[k];
-            ++own[key[k] % RSH_BINS];
+            ++own[key[k] % RSH_ORDER_BINS];
         }
     }
 }
@@ -195,53 +186,56 @@ __kernel void rsh_order_scan(uint items, __global uint* bins)
 {
     if (get_global_id(0) != 0) return;
     uint sum = 0;
-    for (uint b = 0; b < RSH_BINS; ++b)
+    for (uint b = 0; b < RSH_ORDER_BINS; ++b)
         for (uint i = 0; i < items; ++i) {
-            const uint count = bins[RSH_BINS * i + b];
-            bins[RSH_BINS * i + b] = sum;
+            const uint count = bins[RSH_ORDER_BINS * i + b];
+            bins[RSH_ORDER_BINS * i + b] = sum;
             sum += count;
         }
 }
 
 /* By the lower half; the upper half and the element itself go along. */
-__kernel void rsh_order_scatter_low(rsh_box_levels levels, __global const rsh_extent* extents,
+__kernel void rsh_order_scatter_low(rsh_box_levels levels,
+                                    __global const rsh_scene_extent* extents,
                                     __global const uint* keys, __global uint* bins,
                                     __global uint2* half_sorted)
 {
     const uint me = get_global_id(0);
     const rsh_sorting sorting = sorting_of(levels, extents);
     const rsh_part mine = my_groups(sorting.count, me);
-    __global uint* own = bins + RSH_BINS * me;
+    __global uint* own = bins + RSH_ORDER_BINS * me;
     for (uint i = 16 * mine.begin; i < min(16 * mine.end, sorting.count); ++i)
-        half_sorted[own[keys[i] % RSH_BINS]++] = (uint2)(keys[i] / RSH_BINS, i);
+        half_sorted[own[keys[i] % RSH_ORDER_BINS]++] = (uint2)(keys[i] / RSH_ORDER_BINS, i);
 }
 
-__kernel void rsh_order_count_high(rsh_box_levels levels, __global const rsh_extent* extents,
+__kernel void rsh_order_count_high(rsh_box_levels levels,
+                                   __global const rsh_scene_extent* extents,
                                    __global const uint2* half_sorted, __global uint* bins)
 {
     const uint me = get_global_id(0);
     const rsh_sorting sorting = sorting_of(levels, extents);
     const rsh_part mine = my_groups(sorting.count, me);
-    __global uint* own = bins + RSH_BINS * me;
+    __global uint* own = bins + RSH_ORDER_BINS * me;
     clear_bins(own);
     for (uint i = 16 * mine.begin; i < min(16 * mine.end, sorting.count); ++i)
         ++own[half_sorted[i].x];
 }
 
 /* By the upper half: the order of clusters, or that of triangles. */
-__kernel void rsh_order_scatter_high(rsh_box_levels levels, __global const rsh_extent* extents,
+__kernel void rsh_order_scatter_high(rsh_box_levels levels,
+                                     __global const rsh_scene_extent* extents,
                                      __global const uint2* half_sorted, __global uint* bins,
                                      __global uint* boxes)
 {
     const uint me = get_global_id(0);
     const rsh_sorting sorting = sorting_of(levels, extents);
     const rsh_part mine = my_groups(sorting.count, me);
-    __global uint* own = bins + RSH_BINS * me;
+    __global uint* own = bins + RSH_ORDER_BINS * me;
     __global uint* order = boxes + (sorting.is_sparse ? order_at(levels) : children_at(levels));
     for (uint i = 16 * mine.begin; i < min(16 * mine.end, sorting.count); ++i)
         order[own[half_sorted[i].x]++] = half_sorted[i].y;
     if (me != 0) return;
-    const rsh_extent whole = whole_extent(extents, get_global_size(0));
+    const rsh_scene_extent whole = whole_extent(extents, get_global_size(0));
     boxes[is_ordered_at(levels)] = sorting.is_sparse;
     boxes[cluster_size_at(levels)] =
         as_uint(whole.surface / (float)max(1u, whole.asked - whole.sparse));

@@ -10,8 +10,6 @@ namespace rsh {
 namespace {
 
 constexpr cl_uint kBoxesPerGroup = 16;
-constexpr size_t kBins = 2048;       // RSH_BINS of order_boxes.cl
-constexpr size_t kExtentBytes = 40;  // rsh_extent
 
 cl_uint groups_of(cl_uint boxes) {
     return (boxes + kBoxesPerGroup - 1) / kBoxesPerGroup;
@@ -92,8 +90,8 @@ Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) 
     const size_t items = order_range(context).items;
     Layout layout(context.caps.alignment);
     layout.add_array<rsh_box_group>("unordered", groups_of(levels.boxes[1]));
-    layout.add("extents", items * kExtentBytes);
-    layout.add_array<cl_uint>("bins", items * kBins);
+    layout.add_array<rsh_scene_extent>("extents", items);
+    layout.add_array<cl_uint>("bins", items * RSH_ORDER_BINS);
     layout.add_array<cl_uint>("keys", levels.boxes[0]);
     layout.add_array<cl_uint>("half sorted", size_t{2} * levels.boxes[0]);
     return layout;
