@@ -47,11 +47,12 @@ __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
         const uint node = child_of(&levels, 1, me, b);
         if (node == RSH_NO_NODE || runs[node].y == 0) continue;
         const uint2 run = runs[node];
-        rsh_run_block block;
+        rsh_block block;
+        bool is_changed = false;
         load_run_block(&target, tile, b, &block);
         for (uint i = run.x; i < run.x + run.y; ++i)
-            offer_triangle(&target, &block, triangles[i]);
-        store_run_block(&target, &block);
+            is_changed |= offer_triangle(&target, &block, triangles[i]);
+        if (is_changed) store_run_block(&target, tile, b, &block);
     }
 }
 
@@ -68,15 +69,15 @@ static void intersect_gathered(const rsh_run_target* target, rsh_tile tile,
                                const rsh_gathered* gathered)
 {
     for (uint b = 0; b < 16; ++b) {
-        rsh_run_block block;
-        bool is_loaded = false;
+        rsh_block block;
+        bool is_loaded = false, is_changed = false;
         for (uint i = 0; i < gathered->count; ++i) {
             if (!(gathered->met[i] >> b & 1)) continue;
             if (!is_loaded) load_run_block(target, tile, b, &block);
             is_loaded = true;
-            offer_triangle(target, &block, gathered->triangle[i]);
+            is_changed |= offer_triangle(target, &block, gathered->triangle[i]);
         }
-        if (is_loaded) store_run_block(target, &block);
+        if (is_changed) store_run_block(target, tile, b, &block);
     }
 }
 

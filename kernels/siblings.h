@@ -4,8 +4,7 @@
 #define RSH_SIBLINGS_H
 
 /* Here rather than behind a condition: a header is only ever expanded in one place. */
-#include "geometry.h"
-#include "tile.h"
+#include "box.h"
 
 #ifndef RSH_FITTED
 #define RSH_FITTED 0
@@ -30,8 +29,6 @@ static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bo
 }
 
 #else
-#include "box.h"
-
 #define RSH_GROUP_FLOATS 224 /* of rsh_node_group */
 typedef struct rsh_siblings {
     rsh_bundles bundles;
