@@ -49,10 +49,6 @@ void sort_boxes(Recorder& recorder, const rsh_box_levels& levels, cl_mem boxes,
 
 }  // namespace
 
-Range serial_range(const Context& context, size_t items) {
-    return {items, context.vector_width > 1 ? 1 : context.caps.group_size};
-}
-
 rsh_box_levels box_levels(cl_uint triangle_count) {
     rsh_box_levels levels = {};
     levels.boxes[0] = triangle_count;
@@ -102,7 +98,7 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     if (geometry.triangle_count == 0) return;
     const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
     const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    const Range groups = serial_range(recorder.context(), groups_of(levels.boxes[1]));
+    const Range groups = recorder.serial_range(groups_of(levels.boxes[1]));
     const cl_mem unordered = scratch["unordered"];
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_triangles"), groups,
                     mesh_of(geometry), geometry.vertices, geometry.indices, levels, desc.bounds,
@@ -113,14 +109,14 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
                     desc.bounds);
     for (cl_uint level = 2; level < levels.count; ++level)
         recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"),
-                        serial_range(recorder.context(), groups_of(levels.boxes[level])),
-                        levels, level, desc.bounds);
+                        recorder.serial_range(groups_of(levels.boxes[level])), levels, level,
+                        desc.bounds);
 }
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {
     const rsh_levels shape = levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_blocks"),
-                    serial_range(recorder.context(), node_count(shape, 2)), shape, desc.rays,
+                    recorder.serial_range(node_count(shape, 2)), shape, desc.rays,
                     desc.converging, desc.nodes);
 }
 

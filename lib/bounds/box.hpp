@@ -23,7 +23,4 @@ public:
 // Where the boxes of a scene's levels lie.
 rsh_box_levels box_levels(cl_uint triangle_count);
 
-// A work-item that goes through a tile or a cluster on its own: no groups on CPUs.
-Range serial_range(const Context& context, size_t items);
-
 }  // namespace rsh

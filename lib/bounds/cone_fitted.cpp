@@ -39,13 +39,12 @@ void ConeFitted::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
 
 void ConeFitted::build(Recorder& recorder, const rsh_build_desc& desc) const {
     const rsh_levels shape = levels(desc.width, desc.height);
-    const Context& context = recorder.context();
-    const Range tiles = serial_range(context, node_count(shape, 2));
+    const Range tiles = recorder.serial_range(node_count(shape, 2));
     recorder.launch(RSH_STAGE_BUILD, kernel("rsh_fit_tiles"), tiles, shape, desc.rays,
                     desc.converging, desc.nodes);
     for (cl_uint level = 3; level < shape.count; ++level) {
         recorder.launch(RSH_STAGE_BUILD, kernel("rsh_guess_level"),
-                        serial_range(context, node_count(shape, level + 1)), shape, level,
+                        recorder.serial_range(node_count(shape, level + 1)), shape, level,
                         desc.nodes);
         recorder.launch(RSH_STAGE_BUILD, kernel("rsh_measure_level"), tiles, shape, level,
                         desc.rays, desc.converging, desc.nodes);

@@ -50,6 +50,11 @@ public:
     // One work-item per element, in groups of the device's usual size.
     Range range(size_t items) const { return {items, context_.caps.group_size}; }
 
+    // The same for long work-items, a tile of rays or more each: no groups on CPUs.
+    Range serial_range(size_t items) const {
+        return {items, context_.vector_width > 1 ? 1 : context_.caps.group_size};
+    }
+
     // Enough work-items to fill the device, for a stream whose length only the device knows;
     // see kernels/stride.h.
     Range stream_range() const;

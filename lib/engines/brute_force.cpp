@@ -18,14 +18,12 @@ Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&,
 
 void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
-    const Context& context = recorder.context();
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
-    const size_t rays_per_item = size_t{kVectorsPerItem} * context.vector_width;
-    const size_t group = context.vector_width > 1 ? 1 : context.caps.group_size;
+    const size_t rays_per_item = size_t{kVectorsPerItem} * recorder.context().vector_width;
     recorder.launch(RSH_STAGE_INTERSECT, {"brute_force", "rsh_brute_force"},
-                    {(rays + rays_per_item - 1) / rays_per_item, group}, mesh_of(geometry),
-                    geometry.vertices, geometry.indices, desc.rays, rays, desc.hits,
-                    desc.occlusion, occlusion_mask(desc));
+                    recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
+                    mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays, rays,
+                    desc.hits, desc.occlusion, occlusion_mask(desc));
 }
 
 }  // namespace rsh

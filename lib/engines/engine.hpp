@@ -45,4 +45,7 @@ void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_
                     SceneBounds bounds);
 cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch);
 
+// Tells the caller which batch comes; throws when he asks to stop.
+void report_progress(const rsh_traverse_desc& desc, cl_uint batch, cl_uint batch_count);
+
 }  // namespace rsh

@@ -4,7 +4,6 @@
 
 #include "bounds/bound.hpp"
 #include "bounds/levels.hpp"
-#include "core/error.hpp"
 #include "passes/traverse_runs.hpp"
 
 namespace rsh {
@@ -98,7 +97,7 @@ public:
         const cl_uint total = desc_.geometry.triangle_count;
         const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
         for (cl_uint first = 0; first < total; first += size) {
-            report_progress(first / size, (total + size - 1) / size);
+            report_progress(desc_, first / size, (total + size - 1) / size);
             run_batch(first, std::min(size, total - first));
         }
     }
@@ -140,12 +139,6 @@ private:
         step.batch_count = count;
         step.is_counting = recorder_.context().statistics.enabled();
         return {shape_, step, is_upper ? scratch_["nodes"] : desc_.nodes};
-    }
-
-    void report_progress(cl_uint batch, cl_uint batch_count) {
-        if (desc_.progress && desc_.progress(batch, batch_count, desc_.progress_user))
-            throw Error(RSH_CANCELLED,
-                        "progress: asked to stop before batch " + std::to_string(batch));
     }
 
     Recorder& recorder_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "bounds/bound.hpp"
-#include "core/error.hpp"
 #include "passes/intersect.hpp"
 #include "passes/traverse_test.hpp"
 #include "reduce/strategy.hpp"
@@ -101,7 +100,7 @@ public:
         const cl_uint total = desc_.geometry.triangle_count;
         const cl_uint size = batch_triangles(desc_, levels_, streams_.limit);
         for (cl_uint first = 0; first < total; first += size) {
-            report_progress(first / size, (total + size - 1) / size);
+            report_progress(desc_, first / size, (total + size - 1) / size);
             run_batch({first, std::min(size, total - first)});
         }
         resolve(recorder_, desc_);
@@ -123,12 +122,6 @@ private:
 
     void pack_survivors(cl_uint level) {
         strategy_.enqueue(recorder_, survivors(streams_, level), scratch_);
-    }
-
-    void report_progress(cl_uint batch, cl_uint batch_count) {
-        if (desc_.progress && desc_.progress(batch, batch_count, desc_.progress_user))
-            throw Error(RSH_CANCELLED,
-                        "progress: asked to stop before batch " + std::to_string(batch));
     }
 
     Recorder& recorder_;

@@ -2,7 +2,6 @@
 
 #include "bounds/box.hpp"
 #include "bounds/levels.hpp"
-#include "core/error.hpp"
 #include "passes/intersect.hpp"
 #include "passes/mesh.hpp"
 
@@ -10,11 +9,6 @@ namespace rsh {
 namespace {
 
 constexpr size_t kCounts = 2;  // node tests, ray tests
-
-void report_progress(const rsh_traverse_desc& desc) {
-    if (desc.progress && desc.progress(0, 1, desc.progress_user))
-        throw Error(RSH_CANCELLED, "progress: asked to stop before batch 0");
-}
 
 void count_tests(Recorder& recorder, cl_mem counts) {
     recorder.count_later(counts, kCounts, [](rsh_statistics& sums, const cl_uint* tests) {
@@ -40,12 +34,12 @@ void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const Scratch memory(recorder, scratch(context, desc, scene_bounds_of(desc)), desc.scratch);
     const cl_mem bounds = desc.bounds ? desc.bounds : make_bounds(recorder, desc, memory);
     const bool is_counting = context.statistics.enabled();
-    report_progress(desc);
+    report_progress(desc, 0, 1);
     if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCounts * 4);
     const rsh_geometry& geometry = desc.geometry;
     const rsh_levels shape = find_bound(RSH_BOUND_BOX).levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_INTERSECT, {"program_tiles", "rsh_traverse_tiles"},
-                    serial_range(context, node_count(shape, 2)), mesh_of(geometry),
+                    recorder.serial_range(node_count(shape, 2)), mesh_of(geometry),
                     geometry.vertices, geometry.indices, box_levels(geometry.triangle_count),
                     bounds, shape, desc.rays, desc.nodes, desc.hits, desc.occlusion,
                     occlusion_mask(desc), cl_uint{is_counting}, memory["counts"]);

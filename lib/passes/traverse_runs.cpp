@@ -28,7 +28,7 @@ void scan_sums(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_run_
 }
 
 Range pieces_range(Recorder& recorder, const rsh_run_step& step) {
-    return serial_range(recorder.context(), size_t{step.parents} * step.pieces);
+    return recorder.serial_range(size_t{step.parents} * step.pieces);
 }
 
 }  // namespace
@@ -59,9 +59,9 @@ void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLev
                  const RunStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_finish_runs"),
-                    serial_range(recorder.context(), node_count(level.shape, 2)), level.shape,
-                    level.step, mesh_of(geometry), geometry.vertices, geometry.indices,
-                    desc.rays, box_levels(geometry.triangle_count), desc.bounds, desc.nodes,
+                    recorder.serial_range(node_count(level.shape, 2)), level.shape, level.step,
+                    mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                    box_levels(geometry.triangle_count), desc.bounds, desc.nodes,
                     parents_of(level, streams), streams.runs, streams.sums, desc.hits,
                     desc.occlusion, occlusion_mask(desc), streams.tally);
 }
@@ -77,8 +77,8 @@ void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh
                     const RunStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_intersect_runs"),
-                    serial_range(recorder.context(), node_count(shape, 2)), shape,
-                    mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                    recorder.serial_range(node_count(shape, 2)), shape, mesh_of(geometry),
+                    geometry.vertices, geometry.indices, desc.rays,
                     box_levels(geometry.triangle_count), desc.bounds, streams.triangles[1],
                     streams.runs, desc.hits, desc.occlusion, occlusion_mask(desc));
 }
@@ -87,8 +87,8 @@ void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_me
     const cl_uint first = shape.first_quad[2];
     for (cl_uint level = 2; level < shape.count; ++level)
         recorder.launch(RSH_STAGE_BUILD, paper_kernel(RSH_BOUND_BOX, "rsh_join_boxes"),
-                        serial_range(recorder.context(), node_count(shape, level + 1)), shape,
-                        level, level == 2 ? tiles : upper,
+                        recorder.serial_range(node_count(shape, level + 1)), shape, level,
+                        level == 2 ? tiles : upper,
                         level == 2 ? cl_uint{0} : shape.first_quad[level - 1] - first, upper,
                         shape.first_quad[level] - first);
 }
