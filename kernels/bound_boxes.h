@@ -1,9 +1,99 @@
-/* bound_boxes.h - boxes around 16 triangles, and the box around these. */
+/* bound_boxes.h - triangles 16 at a time, and the box around them. */
 #ifndef RSH_BOUND_BOXES_H
 #define RSH_BOUND_BOXES_H
 
 #include "box.h"
 #include "scene_boxes.h"
+
+/* Corners of 16 triangles, component by component. */
+typedef struct rsh_corner_rows {
+    floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
+} rsh_corner_rows;
+
+/* A word per lane: base[stride * element], element below count. See RSH_LANE_BITS for why. */
+static floatv gather(__global const float* base, uintv element, uint stride, uint count)
+{
+    if (count == 0) return (floatv)(INFINITY);
+#ifdef RSH_GATHER
+    if ((ulong)stride * count < 0x80000000ul) return RSH_GATHER(base, element * stride);
+#endif
+    uint number[RSH_WIDTH];
+    float lane[RSH_WIDTH];
+    store_lanes(element, number);
+    for (uint k = 0; k < RSH_WIDTH; ++k) lane[k] = base[(ulong)stride * number[k]];
+    return load_lanes(lane);
+}
+
+/* The triangles `first` and on in their order; 0: that of their numbers. */
+static uintv triangles_from(rsh_mesh mesh, __global const uint* order, uint first)
+{
+    const uintv places = as_uintv(RSH_LANES) + first;
+    if (!order) return places;
+    if (first + RSH_WIDTH <= mesh.triangle_count) return load_lanes(order + first);
+    uint number[RSH_WIDTH];
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        number[k] = first + k < mesh.triangle_count ? order[first + k] : mesh.triangle_count;
+    return load_lanes(number);
+}
+
+/* Corners of triangles, vector v of them. What is never hit has them at infinity, which every
+ * box misses and every test of intersect.h. */
+static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
+                            __global const uint* indices, uintv triangle, uint v,
+                            rsh_corner_rows* corners)
+{
+    __global const float* words = (__global const float*)indices +
+                                  word_offset(mesh.indices_first_low, mesh.indices_first_high);
+    vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
+    intv is_there = triangle < (uintv)(mesh.triangle_count);
+    triangle = select((uintv)(0u), triangle, as_uintv(is_there));
+    uintv vertex[3];
+#pragma unroll
+    for (uint i = 0; i < 3; ++i) {
+        vertex[i] = mesh.is_indexed
+                        ? as_uintv(gather(words + i, triangle, 3, mesh.triangle_count))
+                        : 3u * triangle + i;
+        is_there &= vertex[i] < (uintv)(mesh.vertex_count);
+    }
+    floatv sum = (floatv)(0.0f);
+#pragma unroll
+    for (uint i = 0; i < 9; ++i) {
+        const uintv of = select((uintv)(0u), vertex[i / 3], as_uintv(is_there));
+        const floatv c = gather(vertices + i % 3, of, mesh.vertex_stride, mesh.vertex_count);
+        corners->row[i / 3][i % 3][v] = c;
+        sum += c - c; /* 0, or NaN if any is not finite */
+    }
+    is_there &= sum == (floatv)(0.0f);
+#pragma unroll
+    for (uint i = 0; i < 9; ++i) {
+        floatv* c = &corners->row[i / 3][i % 3][v];
+        *c = select((floatv)(INFINITY), *c, is_there);
+    }
+}
+
+static void load_corners(rsh_mesh mesh, __global const float* vertices,
+                         __global const uint* indices, __global const uint* order, uint first,
+                         rsh_corner_rows* corners)
+{
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        load_corners_of(mesh, vertices, indices,
+                        triangles_from(mesh, order, first + RSH_WIDTH * v), v, corners);
+}
+
+/* Boxes of 16 triangles, not padded; those that are never hit hold nothing. */
+static void boxes_of_corners(const rsh_corner_rows* corners, rsh_boxes* boxes)
+{
+#pragma unroll
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            const floatv a = corners->row[0][axis][v], b = corners->row[1][axis][v],
+                         c = corners->row[2][axis][v];
+            const floatv high = greater(a, greater(b, c));
+            boxes->low[axis][v] = lesser(a, lesser(b, c));
+            boxes->high[axis][v] =
+                select((floatv)(-INFINITY), high, high < (floatv)(INFINITY));
+        }
+}
 
 /* What is never hit: holds nothing, and adds nothing to the box around it. */
 static void clear_box(float* box)
@@ -12,92 +102,6 @@ static void clear_box(float* box)
         box[axis] = INFINITY;
         box[3 + axis] = -INFINITY;
     }
-}
-
-/* Corners of 16 triangles, component by component. */
-typedef struct rsh_corner_rows {
-    floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
-} rsh_corner_rows;
-
-/* x y z of sixteen vertices, from four floats each. */
-static void transpose_vertices(const float* vertex, floatv row[3][RSH_VECTORS])
-{
-#if RSH_WIDTH == 16
-    float16 four[4], two[2][2];
-    for (uint i = 0; i < 4; ++i) four[i] = vload16(i, vertex);
-    for (uint i = 0; i < 2; ++i) {
-        two[0][i] = RSH_EVEN(four[2 * i], four[2 * i + 1]);
-        two[1][i] = RSH_ODD(four[2 * i], four[2 * i + 1]);
-    }
-    row[0][0] = RSH_EVEN(two[0][0], two[0][1]);
-    row[1][0] = RSH_EVEN(two[1][0], two[1][1]);
-    row[2][0] = RSH_ODD(two[0][0], two[0][1]);
-#else
-    float lane[3][16];
-    for (uint k = 0; k < 16; ++k)
-        for (uint axis = 0; axis < 3; ++axis) lane[axis][k] = vertex[4 * k + axis];
-    for (uint axis = 0; axis < 3; ++axis)
-        for (uint v = 0; v < RSH_VECTORS; ++v)
-            row[axis][v] = load_lanes(lane[axis] + RSH_WIDTH * v);
-#endif
-}
-
-/* order: 0 where triangles lie in their own. */
-static void load_corners(rsh_mesh mesh, __global const float* vertices,
-                         __global const uint* indices, __global const uint* order, uint first,
-                         rsh_corner_rows* corners)
-{
-    float vertex[3][16 * 4];
-    for (uint k = 0; k < 16; ++k) {
-        const uint place = first + k;
-        rsh_triangle p;
-        if (place >= mesh.triangle_count ||
-            !load_triangle(mesh, vertices, indices, order ? order[place] : place, &p))
-            p.v0 = p.v1 = p.v2 = (float3)(NAN);
-        vstore4((float4)(p.v0, 0.0f), k, vertex[0]);
-        vstore4((float4)(p.v1, 0.0f), k, vertex[1]);
-        vstore4((float4)(p.v2, 0.0f), k, vertex[2]);
-    }
-    for (uint i = 0; i < 3; ++i) transpose_vertices(vertex[i], corners->row[i]);
-}
-
-/* Boxes of 16 triangles, padded as box.h says, and the box around them. */
-static void bound_triangles(const rsh_corner_rows* corners, __global float* group,
-                            float* around)
-{
-    floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        floatv largest = (floatv)(0.0f), sum = (floatv)(0.0f);
-        for (uint axis = 0; axis < 3; ++axis) {
-            const floatv a = corners->row[0][axis][v], b = corners->row[1][axis][v],
-                         c = corners->row[2][axis][v];
-            low[axis][v] = lesser(a, lesser(b, c));
-            high[axis][v] = greater(a, greater(b, c));
-            largest = greater(fabs(low[axis][v]), greater(fabs(high[axis][v]), largest));
-            sum += (a - a) + (b - b) + (c - c); /* 0, or NaN if any is not finite */
-        }
-        const floatv pad = (floatv)(0x1p-18f) * largest + (floatv)(0x1p-124f);
-        const intv is_finite = sum == (floatv)(0.0f);
-        for (uint axis = 0; axis < 3; ++axis) {
-            low[axis][v] = select((floatv)(INFINITY), low[axis][v] - pad, is_finite);
-            high[axis][v] = select((floatv)(-INFINITY), high[axis][v] + pad, is_finite);
-            store_lanes(low[axis][v], group + 16 * axis + RSH_WIDTH * v);
-            store_lanes(high[axis][v], group + 48 + 16 * axis + RSH_WIDTH * v);
-        }
-    }
-    for (uint axis = 0; axis < 3; ++axis) {
-        around[axis] = smallest_lane(low[axis]);
-        around[3 + axis] = largest_lane(high[axis]);
-    }
-}
-
-static void bound_cluster(rsh_mesh mesh, __global const float* vertices,
-                          __global const uint* indices, __global const uint* order,
-                          uint cluster, __global float* boxes, float* around)
-{
-    rsh_corner_rows corners;
-    load_corners(mesh, vertices, indices, order, 16 * cluster, &corners);
-    bound_triangles(&corners, boxes + RSH_GROUP_WORDS * cluster, around);
 }
 
 static float smallest_in_row(__global const float* row)

@@ -60,16 +60,29 @@ typedef struct rsh_bundle {
     float limit; /* raised tmax; negative: nothing left to find */
 } rsh_bundle;
 
+/* 16 boxes side by side. */
+typedef struct rsh_boxes {
+    floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
+} rsh_boxes;
+
+static void load_boxes(__global const float* group, rsh_boxes* boxes)
+{
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            boxes->low[axis][v] = load_lanes(group + 16 * axis + RSH_WIDTH * v);
+            boxes->high[axis][v] = load_lanes(group + 48 + 16 * axis + RSH_WIDTH * v);
+        }
+}
+
 /* Which of 16 boxes the bundle can meet, a bit each; near, unless 0: from which t on. */
-static uint boxes_met(const rsh_bundle* bundle, __global const float* boxes, float* near)
+static uint boxes_met(const rsh_bundle* bundle, const rsh_boxes* boxes, float* near)
 {
     uint met = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         floatv from = (floatv)(0.0f), to = (floatv)(bundle->limit);
         for (uint axis = 0; axis < 3; ++axis) {
             const rsh_slab slab = bundle->slab[axis];
-            const floatv low = load_lanes(boxes + 16 * axis + RSH_WIDTH * v);
-            const floatv high = load_lanes(boxes + 48 + 16 * axis + RSH_WIDTH * v);
+            const floatv low = boxes->low[axis][v], high = boxes->high[axis][v];
             if (slab.sign > 0) {
                 from = greater((low - slab.near_origin) * slab.near_inverse, from);
                 to = lesser((high - slab.far_origin) * slab.far_inverse, to);

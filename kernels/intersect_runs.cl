@@ -17,7 +17,7 @@ static __global const uint* order_of(__global const uint* bounds, rsh_box_levels
 #if RSH_FITTED
     return 0;
 #else
-    return bounds[is_ordered_at(levels)] ? bounds + order_at(levels) : 0;
+    return bounds + order_at(&levels);
 #endif
 }
 

@@ -16,14 +16,15 @@ typedef struct rsh_mesh {
 } rsh_mesh;
 RSH_ASSERT_SIZE(rsh_mesh, 32);
 
-/* Boxes of a scene: level 0 those of triangles, level l + 1 those around the groups of 16 of
- * level l; the topmost level, 1 at least, is one group. 2^28 triangles fill 7 levels. */
+/* Boxes of a scene: level 1 those around the clusters, runs of 16 triangles; level l + 1 those
+ * around the groups of 16 of level l; the topmost level is one group. 2^28 triangles fill 7
+ * levels, that of the triangles counted. */
 #define RSH_MAX_BOX_LEVELS 7
 typedef struct rsh_box_levels {
     rsh_uint count;
-    rsh_uint boxes[RSH_MAX_BOX_LEVELS];
-    rsh_uint first_group[RSH_MAX_BOX_LEVELS];
-    rsh_uint group_count; /* of all levels */
+    rsh_uint boxes[RSH_MAX_BOX_LEVELS];       /* [0]: triangles */
+    rsh_uint first_group[RSH_MAX_BOX_LEVELS]; /* [0]: unused */
+    rsh_uint group_count;                     /* of all levels */
 } rsh_box_levels;
 RSH_ASSERT_SIZE(rsh_box_levels, 64);
 
@@ -49,14 +50,11 @@ RSH_ASSERT_SIZE(rsh_run_step, 44);
 #define RSH_TALLY_FINISHED 34
 #define RSH_TALLY_WORDS 36
 
-/* Of the sort of order_boxes.cl: counts per work-item, and what it saw of the scene. */
+/* Of the sort of order_triangles.cl: counts per work-item, and what it saw of the scene. */
 #define RSH_ORDER_BINS 2048
 typedef struct rsh_scene_extent {
     rsh_float low[3], high[3];
-    rsh_uint asked, sparse; /* clusters; those that are mostly empty */
-    rsh_float surface;      /* of the asked ones that are not        */
-    rsh_float padding;
 } rsh_scene_extent;
-RSH_ASSERT_SIZE(rsh_scene_extent, 40);
+RSH_ASSERT_SIZE(rsh_scene_extent, 24);
 
 #endif

@@ -1,6 +1,6 @@
 /* program_tiles.cl - what the engine `tiles` launches, as one program; see program_traverse.cl
  * for why. */
 #include "bound_boxes.cl"
-#include "order_boxes.cl"
+#include "order_triangles.cl"
 #include "build_boxes.cl"
 #include "traverse_tiles.cl"

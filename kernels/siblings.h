@@ -5,6 +5,7 @@
 
 /* Here rather than behind a condition: a header is only ever expanded in one place. */
 #include "box.h"
+#include "scene_boxes.h"
 
 #ifndef RSH_FITTED
 #define RSH_FITTED 0
@@ -55,13 +56,24 @@ static void load_siblings(rsh_siblings* nodes, __global const float* group)
     }
 }
 
-/* bounds: rsh_box_group of 16 triangles each. */
+/* bounds: clusters of 16 triangles each, see scene_boxes.h. */
 static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bounds,
                              uint triangle)
 {
-    __global const float* box = bounds + 96ul * (triangle / 16) + triangle % 16;
-    const float low[3] = {box[0], box[16], box[32]};
-    const float high[3] = {box[48], box[64], box[80]};
+    __global const float* corner = bounds + cluster_at(triangle / 16) + triangle % 16;
+    float low[3], high[3], reach = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis) {
+        const float a = corner[16 * axis], b = corner[48 + 16 * axis],
+                    c = corner[96 + 16 * axis];
+        low[axis] = fmin(a, fmin(b, c));
+        high[axis] = fmax(a, fmax(b, c));
+        reach = fmax(reach, fmax(fabs(low[axis]), fabs(high[axis])));
+    }
+    const float pad = reach < INFINITY ? pad_of(reach) : 0.0f;
+    for (uint axis = 0; axis < 3; ++axis) {
+        low[axis] -= pad;
+        high[axis] += pad;
+    }
     return bundles_meeting(&nodes->bundles, &nodes->common, low, high);
 }
 

@@ -16,7 +16,7 @@ typedef struct rsh_block {
     rsh_bundle bundle; /* of all rays */
     float pad;   /* of the origins, as in box.h */
     uint axis;   /* kz of all rays; 3: they differ */
-    bool is_fit; /* for rays_meeting and ray_bundle: no direction too small to divide by */
+    bool is_fit; /* for rays_meeting and lone_ray: no direction too small to divide by */
 } rsh_block;
 
 /* kz, where all active rays have the same. */
@@ -101,31 +101,19 @@ static uint rays_meeting(const rsh_block* block, const int* sign, const float* b
 
 static float lane_of(const floatv* v, uint k) { return ((const float*)v)[k]; }
 
-/* Ray k as a node. */
-static rsh_bundle ray_bundle(const rsh_block* block, uint k)
-{
-    const rsh_sheared* r = &block->ray[k / RSH_WIDTH];
-    const uint lane = k % RSH_WIDTH;
-    const float origin[3] = {lane_of(&r->origin_x, lane), lane_of(&r->origin_y, lane),
-                             lane_of(&r->origin_z, lane)};
-    rsh_bundle bundle;
-    for (uint axis = 0; axis < 3; ++axis) {
-        const float inverse = lane_of(block->inverse[axis], k);
-        const float low = origin[axis] - block->pad, high = origin[axis] + block->pad;
-        const bool is_negative = inverse < 0.0f;
-        bundle.slab[axis] =
-            (rsh_slab){is_negative ? low : high, inverse, is_negative ? high : low,
-                       inverse * RSH_RAISED, is_negative ? -1 : 1};
-    }
-    bundle.limit = lane_of(&r->tmax, lane) * RSH_RAISED;
-    return bundle;
-}
-
 /* A triangle for all lanes, by its corners in a row. */
 typedef struct rsh_corners {
     float at[12]; /* x y z of three; the rest is never looked at */
     float scale;  /* see triangle_scale */
 } rsh_corners;
+
+static float scale_of(const float* at)
+{
+    floatv corner[9];
+    for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[i]);
+    const floatv scale = triangle_scale(corner);
+    return lane_of(&scale, 0);
+}
 
 static void fetch_corners(rsh_corners* corners, rsh_mesh mesh, __global const float* vertices,
                           __global const uint* indices, uint triangle)
@@ -135,16 +123,7 @@ static void fetch_corners(rsh_corners* corners, rsh_mesh mesh, __global const fl
     vstore3(p.v0, 0, corners->at);
     vstore3(p.v1, 1, corners->at);
     vstore3(p.v2, 2, corners->at);
-    const float3 b = fabs(p.v1 - p.v0), c = fabs(p.v2 - p.v0);
-    const float3 larger = b > c ? b : c;
-    const float size = larger.x > larger.y ? (larger.x > larger.z ? larger.x : larger.z)
-                                           : (larger.y > larger.z ? larger.y : larger.z);
-    corners->scale = 1.0f;
-    if (size >= 0x1p-20f && size <= 0x1p20f) return;
-    floatv corner[9];
-    spread_triangle(p, corner);
-    const floatv scale = triangle_scale(corner);
-    corners->scale = lane_of(&scale, 0);
+    corners->scale = scale_of(corners->at);
 }
 
 /* see_corners of intersect.h, where all rays share kz: nothing to select. */
@@ -224,8 +203,40 @@ static void store_misses(rsh_tile tile, uint b, __global const rsh_ray* rays,
     }
 }
 
+#if RSH_WIDTH == 16
+static float16 interleave(float8 a, float8 b)
+{
+    float16 both;
+    both.even = a;
+    both.odd = b;
+    return both;
+}
+
+/* t u v primitive of sixteen rays, ray by ray; four of them lie in a row. */
+static void store_whole_block(float16 t, float16 u, float16 v, float16 primitive,
+                              rsh_tile tile, uint b, __global rsh_hit* hits)
+{
+    const float16 tv[2] = {interleave(t.lo, v.lo), interleave(t.hi, v.hi)};
+    const float16 up[2] = {interleave(u.lo, primitive.lo), interleave(u.hi, primitive.hi)};
+    for (uint r = 0; r < 4; ++r) {
+        const float16 x = tv[r / 2], y = up[r / 2];
+        vstore16(r % 2 ? interleave(x.hi, y.hi) : interleave(x.lo, y.lo), 0,
+                 (__global float*)(hits + ray_of(tile, b, 4 * r)));
+    }
+}
+#endif
+
 static void store_hits(const rsh_block* block, rsh_tile tile, uint b, __global rsh_hit* hits)
 {
+#if RSH_WIDTH == 16
+    if (is_whole(tile, b)) {
+        const intv is_miss = as_intv(block->primitive[0]) == (intv)((int)RSH_NO_HIT);
+        store_whole_block(select(block->ray[0].tmax, block->given_tmax[0], is_miss),
+                          block->u[0], block->v[0], as_floatv(block->primitive[0]), tile, b,
+                          hits);
+        return;
+    }
+#endif
     float t[16];
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         const intv is_miss = as_intv(block->primitive[v]) == (intv)((int)RSH_NO_HIT);

@@ -1,111 +1,123 @@
-/* tile_cluster.h - a probe at a cluster: which triangles go to which blocks of rays. */
+/* tile_cluster.h - the triangles of a cluster against rays: of one block, or of many. */
 #ifndef RSH_TILE_CLUSTER_H
 #define RSH_TILE_CLUSTER_H
 
 #include "tile_work.h"
 
-/* More triangles of a cluster than this are worth asking each ray first. */
-#define RSH_MANY_TRIANGLES 4
-/* Up to so many blocks look at a cluster's triangles on their own. */
-#define RSH_FEW_BLOCKS 3
+/* Up to so many triangles of a cluster are tested without asking which rays meet it. */
+#define RSH_FEW_TRIANGLES 2
 
-/* Triangles of a cluster that some ray of the block meets, where that leaves fewer. */
-static uint triangles_met_by_rays(rsh_work* work, const rsh_probe* probe, rsh_block* block,
-                                  __global const float* cluster, const float* low,
-                                  const float* high, uint triangles)
+typedef struct rsh_cluster_in {
+    __global const float* corners; /* see rsh_cluster */
+    __global const uint* triangles; /* their numbers */
+    bool is_scaled;
+    rsh_boxes boxes; /* of the triangles */
+} rsh_cluster_in;
+
+/* Boxes are padded as box.h says for the largest of the triangles. */
+static void load_cluster(const rsh_work* work, const rsh_box* box, rsh_cluster_in* cluster)
 {
-    work->node_tests += 16;
-    uint rays = rays_meeting(block, probe->ray_sign, low, high);
-    if (popcount(rays) + 2 >= popcount(triangles)) return triangles;
-    uint met = 0;
-    for (; rays; rays &= rays - 1) {
-        const rsh_bundle ray = ray_bundle(block, lowest_bit(rays));
-        work->node_tests += 16;
-        met |= boxes_met(&ray, cluster, 0);
-    }
-    return triangles & met;
+    const rsh_scene_in* scene = work->scene;
+    cluster->corners = scene->boxes + cluster_at(box->number);
+    cluster->triangles = scene->order + 16ul * box->number;
+    cluster->is_scaled = scene->scaled[box->number / 16] >> (box->number % 16) & 1;
+    float reach = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis)
+        reach = fmax(reach, fmax(fabs(box->low[axis]), fabs(box->high[axis])));
+    const floatv pad = (floatv)(pad_of(reach));
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            __global const float* row = cluster->corners + 16 * axis + RSH_WIDTH * v;
+            const floatv a = load_lanes(row), b = load_lanes(row + 48),
+                         c = load_lanes(row + 96);
+            cluster->boxes.low[axis][v] = lesser(a, lesser(b, c)) - pad;
+            cluster->boxes.high[axis][v] = greater(a, greater(b, c)) + pad;
+        }
 }
 
-/* The triangles of one cluster that were needed so far. */
-typedef struct rsh_cluster {
-    uint number; /* its group of level 0 */
-    uint fetched;
-    uint triangle[16];
-    rsh_corners corners[16];
-} rsh_cluster;
-
-static bool intersect_triangle(rsh_work* work, rsh_cluster* cluster, uint k, uint b)
+static void intersect_triangle(rsh_work* work, const rsh_cluster_in* cluster, uint k, uint b)
 {
-    const rsh_geometry_in* scene = work->scene;
-    if (!(cluster->fetched >> k & 1)) {
-        cluster->triangle[k] = triangle_in((__global const uint*)scene->boxes, scene->levels,
-                                           16 * cluster->number + k);
-        fetch_corners(&cluster->corners[k], scene->mesh, scene->vertices, scene->indices,
-                      cluster->triangle[k]);
-        cluster->fetched |= 1u << k;
-    }
+    rsh_corners corners;
+    corners.scale = 1.0f;
+    for (uint i = 0; i < 9; ++i) corners.at[i] = cluster->corners[16 * i + k];
+    if (cluster->is_scaled) corners.scale = scale_of(corners.at);
     work->ray_tests += 16;
-    return intersect_block(block_of(work, b), &cluster->corners[k], cluster->triangle[k],
-                           work->is_any);
+    if (intersect_block(block_of(work, b), &corners, cluster->triangles[k], work->is_any))
+        lower_block_limit(work, b);
 }
 
-/* Few blocks: each looks for its own triangles. */
-static uint intersect_by_block(rsh_work* work, const rsh_probe* probe, rsh_cluster* cluster,
-                               uint blocks, uint triangles, const float* low, const float* high)
+static void intersect_by_rays(rsh_work* work, const rsh_cluster_in* cluster, uint b, uint rays)
 {
-    __global const float* boxes = group_of(work->scene, 0, cluster->number);
-    uint changed = 0;
-    for (; blocks; blocks &= blocks - 1) {
-        const uint b = lowest_bit(blocks);
-        rsh_block* block = block_of(work, b);
-        const rsh_bundle* bundle =
-            is_single(probe->blocks) ? &probe->bundle : block_bundle(work, b);
-        work->node_tests += 16;
-        uint mine = boxes_met(bundle, boxes, 0) & triangles;
-        if (popcount(mine) > RSH_MANY_TRIANGLES && block->is_fit && probe->ray == 16)
-            mine = triangles_met_by_rays(work, probe, block, boxes, low, high, mine);
-        for (; mine; mine &= mine - 1)
-            if (intersect_triangle(work, cluster, lowest_bit(mine), b)) changed |= 1u << b;
+    rsh_block* block = block_of(work, b);
+    bool changed = false;
+    for (; rays; rays &= rays - 1) {
+        const uint k = lowest_bit(rays);
+        rsh_lone_ray ray = lone_ray(block, k);
+        work->ray_tests += 16;
+        if (!intersect_cluster(&ray, cluster->corners, cluster->triangles, cluster->is_scaled,
+                               work->is_any))
+            continue;
+        put_back(&ray, block, k);
+        changed = true;
     }
-    return changed;
+    if (changed) lower_block_limit(work, b);
 }
 
-/* Many blocks: each triangle looks for its own. */
-static uint intersect_by_triangle(rsh_work* work, const rsh_probe* probe, rsh_cluster* cluster,
-                                  uint blocks, uint triangles)
+/* Triangle by triangle, or each of the rays that meet the cluster on its own, whatever are
+ * fewer. rays: 0 if not known yet. */
+static void intersect_loaded_cluster(rsh_work* work, const rsh_cluster_in* cluster, uint b,
+                                     const int* sign, const rsh_box* box, uint rays)
 {
-    __global const float* boxes = group_of(work->scene, 0, cluster->number);
-    uint changed = 0;
+    rsh_block* block = block_of(work, b);
+    work->node_tests += 16;
+    uint triangles = boxes_met(block_bundle(work, b), &cluster->boxes, 0);
+    const uint count = popcount(triangles);
+    if (count > RSH_FEW_TRIANGLES && block->is_fit) {
+        if (!rays) {
+            work->node_tests += 16;
+            rays = rays_meeting(block, sign, box->low, box->high);
+        }
+        if (popcount(rays) < count) {
+            intersect_by_rays(work, cluster, b, rays);
+            return;
+        }
+    }
+    for (; triangles; triangles &= triangles - 1)
+        intersect_triangle(work, cluster, lowest_bit(triangles), b);
+}
+
+static void intersect_cluster_by_block(rsh_work* work, uint b, const int* sign,
+                                       const rsh_box* box, uint rays)
+{
+    rsh_cluster_in cluster;
+    load_cluster(work, box, &cluster);
+    intersect_loaded_cluster(work, &cluster, b, sign, box, rays);
+}
+
+/* Many blocks: each for itself, or each triangle looks for its own. */
+static void intersect_cluster_by_blocks(rsh_work* work, const rsh_bundle* common,
+                                        const int* sign, const rsh_box* box, uint blocks)
+{
+    rsh_cluster_in cluster;
+    load_cluster(work, box, &cluster);
+    work->node_tests += 16;
+    uint triangles = boxes_met(common, &cluster.boxes, 0);
+    if (popcount(triangles) >= popcount(blocks)) {
+        for (; blocks; blocks &= blocks - 1)
+            intersect_loaded_cluster(work, &cluster, lowest_bit(blocks), sign, box, 0);
+        return;
+    }
     for (; triangles; triangles &= triangles - 1) {
         const uint k = lowest_bit(triangles);
         float low[3], high[3];
-        load_box(boxes, k, low, high);
-        work->node_tests += 16;
-        uint met = bundles_meeting(&work->blocks, &probe->bundle, low, high) & blocks;
-        for (; met; met &= met - 1) {
-            const uint b = lowest_bit(met);
-            if (intersect_triangle(work, cluster, k, b)) changed |= 1u << b;
+        for (uint axis = 0; axis < 3; ++axis) {
+            low[axis] = lane_of(cluster.boxes.low[axis], k);
+            high[axis] = lane_of(cluster.boxes.high[axis], k);
         }
-    }
-    return changed;
-}
-
-static void intersect_cluster(rsh_work* work, rsh_probe* probe, uint number, uint blocks,
-                              const float* low, const float* high)
-{
-    rsh_cluster cluster;
-    cluster.number = number;
-    cluster.fetched = 0;
-    uint triangles = boxes_of(work->scene->mesh.triangle_count, number);
-    if (popcount(blocks) > RSH_FEW_BLOCKS) {
         work->node_tests += 16;
-        triangles &= boxes_met(&probe->bundle, group_of(work->scene, 0, number), 0);
+        uint met = bundles_meeting(&work->blocks, common, low, high) & blocks;
+        for (; met; met &= met - 1) intersect_triangle(work, &cluster, k, lowest_bit(met));
     }
-    const uint changed =
-        popcount(triangles) < popcount(blocks)
-            ? intersect_by_triangle(work, probe, &cluster, blocks, triangles)
-            : intersect_by_block(work, probe, &cluster, blocks, triangles, low, high);
-    if (changed) update_limits(work, probe, changed);
 }
 
 #endif

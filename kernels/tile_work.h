@@ -1,22 +1,22 @@
 /* tile_work.h - what a work-item knows while it takes a tile through the scene: the scene, the
- * tile's blocks, and the probe that goes down the boxes. */
+ * tile's blocks, and the boxes that are still to be visited. */
 #ifndef RSH_TILE_WORK_H
 #define RSH_TILE_WORK_H
 
-#include "scene_boxes.h"
-#include "tile_block.h"
+#include "tile_ray.h"
 
-typedef struct rsh_geometry_in {
-    rsh_mesh mesh;
-    __global const float* vertices;
-    __global const uint* indices;
+typedef struct rsh_scene_in {
     __global const float* boxes;
-    __global const uint* children;
+    __global const uint* order;
+    __global const uint* scaled;
     rsh_box_levels levels;
-} rsh_geometry_in;
+} rsh_scene_in;
+
+/* What tile, block and ray may leave on the stack: 15 boxes of each level, and a group. */
+#define RSH_STACK (3 * (15 * RSH_MAX_BOX_LEVELS + 1))
 
 typedef struct rsh_work {
-    const rsh_geometry_in* scene;
+    const rsh_scene_in* scene;
     __global const rsh_ray* rays;
     __global const float* nodes; /* of the tile */
     rsh_tile tile;
@@ -24,19 +24,13 @@ typedef struct rsh_work {
     bool is_converging; /* nodes run backwards: a hit is no limit to them */
     uint loaded;        /* blocks */
     float scene_size;   /* longest side */
-    float cluster_size; /* see scene_boxes.h */
+    float cluster_size; /* surface of the scene's box, by clusters */
     rsh_bundles blocks;
     rsh_block block[16];
     uint node_tests, ray_tests;
+    uint stack_size;
+    ulong stack[RSH_STACK]; /* from which t on (its bits), level * 2^28 + box */
 } rsh_work;
-
-/* What goes down the boxes together: some blocks of the tile, or one ray. */
-typedef struct rsh_probe {
-    rsh_bundle bundle;
-    uint blocks;     /* bit mask */
-    uint ray;        /* of the only block; 16: all its rays */
-    int ray_sign[3]; /* that of all its rays per axis, or 0 */
-} rsh_probe;
 
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
 static bool is_single(uint bits) { return (bits & (bits - 1)) == 0; }
@@ -62,54 +56,65 @@ static const rsh_bundle* block_bundle(rsh_work* work, uint b)
     return bundle;
 }
 
-static __global const float* group_of(const rsh_geometry_in* scene, uint level, uint group)
+/* After hits of a block's rays. */
+static void lower_block_limit(rsh_work* work, uint b)
 {
-    return scene->boxes + RSH_GROUP_WORDS * (scene->levels.first_group[level] + group);
+    const float limit = block_limit(&work->block[b]);
+    if (!work->is_converging || limit < 0.0f) ((float*)work->blocks.limit)[b] = limit;
+}
+
+static __global const float* group_of(const rsh_work* work, uint level, uint group)
+{
+    return work->scene->boxes + box_group_at(&work->scene->levels, level, group);
 }
 
 /* Boxes of a group that exist. */
-static uint boxes_of(uint count, uint group)
+static uint boxes_of(const rsh_work* work, uint level, uint group)
 {
-    const uint left = count - 16 * group;
+    const uint left = work->scene->levels.boxes[level] - 16 * group;
     return left < 16 ? (1u << left) - 1 : 0xffffu;
 }
 
-static void load_box(__global const float* group, uint k, float* low, float* high)
+/* A box of a level, its sides [axis]. */
+typedef struct rsh_box {
+    uint level, number;
+    float low[3], high[3];
+} rsh_box;
+
+static rsh_box load_box(const rsh_work* work, uint level, uint number)
 {
-    for (uint axis = 0; axis < 3; ++axis) {
-        low[axis] = group[16 * axis + k];
-        high[axis] = group[48 + 16 * axis + k];
-    }
+    __global const float* at = group_of(work, level, number / 16) + number % 16;
+    return (rsh_box){level, number, {at[0], at[16], at[32]}, {at[48], at[64], at[80]}};
 }
 
-/* How far the probe still has to look. */
-static void lower_limit(rsh_work* work, rsh_probe* probe)
+static float near_of(ulong entry) { return as_float((uint)(entry >> 32)); }
+static uint level_of(ulong entry) { return (uint)entry >> 28; }
+static uint number_of(ulong entry) { return (uint)entry & 0x0fffffffu; }
+
+/* Boxes of a group that were met, as entries of the stack, the nearest last. Returns their
+ * number. */
+static uint sort_boxes(uint met, const float* near, uint level, uint group, ulong* sorted)
 {
-    if (is_single(probe->blocks)) {
-        const uint b = lowest_bit(probe->blocks);
-        probe->bundle.limit =
-            probe->ray < 16
-                ? lane_of(&work->block[b].ray[probe->ray / RSH_WIDTH].tmax,
-                          probe->ray % RSH_WIDTH) *
-                      RSH_RAISED
-                : lane_of(work->blocks.limit, b);
-        return;
+    uint count = 0;
+    for (; met; met &= met - 1) {
+        const uint k = lowest_bit(met);
+        const ulong entry = (ulong)as_uint(near[k]) << 32 | level << 28 | (16 * group + k);
+        uint at = count++;
+        for (; at > 0 && sorted[at - 1] < entry; --at) sorted[at] = sorted[at - 1];
+        sorted[at] = entry;
     }
-    floatv limit[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) limit[v] = work->blocks.limit[v];
-    for (uint b = 0; b < 16; ++b)
-        if (!(probe->blocks >> b & 1)) ((float*)limit)[b] = -1.0f;
-    probe->bundle.limit = largest_lane(limit);
+    return count;
 }
 
-static void update_limits(rsh_work* work, rsh_probe* probe, uint changed)
+/* Puts the boxes of a group that the bundle can meet onto the stack. */
+static void push_boxes_met(rsh_work* work, const rsh_bundle* bundle, uint level, uint group)
 {
-    for (; changed; changed &= changed - 1) {
-        const uint b = lowest_bit(changed);
-        const float limit = block_limit(&work->block[b]);
-        if (!work->is_converging || limit < 0.0f) ((float*)work->blocks.limit)[b] = limit;
-    }
-    lower_limit(work, probe);
+    float near[16];
+    rsh_boxes boxes;
+    load_boxes(group_of(work, level, group), &boxes);
+    work->node_tests += 16;
+    const uint met = boxes_met(bundle, &boxes, near) & boxes_of(work, level, group);
+    work->stack_size += sort_boxes(met, near, level, group, work->stack + work->stack_size);
 }
 
 #endif

@@ -12,7 +12,7 @@
 #include "runs.h"
 #include "siblings.h"
 
-#define RSH_LANES ((uint16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#define RSH_CHILDREN ((uint16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 
 __kernel void rsh_count_runs(rsh_run_step step, __global const float* bounds,
                              __global const float* groups, __global const uint* triangles,
@@ -31,7 +31,7 @@ __kernel void rsh_count_runs(rsh_run_step step, __global const float* bounds,
             const uint met =
                 siblings_meeting(&nodes, bounds, triangle_at(step, triangles, i));
             masks[i] = (ushort)met;
-            count += ((uint16)(met) >> RSH_LANES) & (uint16)(1);
+            count += ((uint16)(met) >> RSH_CHILDREN) & (uint16)(1);
         }
     }
     vstore16(count, me, counts);

@@ -1,97 +1,148 @@
 /* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes of the scene front to
- * back, triangles and single rays last.
- *   boxes      in      of triangles, clusters, clusters of clusters (scene_boxes.h)
+ * back, triangles last. Rays go down the boxes together, as a tile, where they are worth it;
+ * where few blocks of the tile meet a box, block by block; where few rays of a block do, ray by
+ * ray.
+ *   boxes      in      the scene's, and the triangles themselves; see scene_boxes.h
  *   nodes      in      blocks of the tiles (build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
  * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of
- * 15 boxes per level. Whatever a decision below costs or saves, it only leaves out tests that
- * cannot succeed.
+ * 15 boxes per level for each of the three. Whatever a decision below costs or saves, it only
+ * leaves out tests that cannot succeed.
  */
-#include "tile_cluster.h"
-#include "tile_probe.h"
+#include "tile_by_block.h"
+#include "tile_hull.h"
 
-#define RSH_STACK (15 * RSH_MAX_BOX_LEVELS + 1)
+/* So many blocks go on alone; more, where boxes that all blocks together meet were met by none
+ * of them. */
+#define RSH_FEW_BLOCKS 2
 
-/* Clusters that a ray on its own meets, in the measure of tile_probe.h. */
+/* In clusters met, the measure of tile_hull.h: what going down the boxes costs besides what is
+ * met there, for blocks and for a ray. */
+#define RSH_START 40.0f
 #define RSH_RAY 8.0f
 
-typedef struct rsh_stack {
-    uint size;
-    float near[RSH_STACK];
-    uint box[RSH_STACK]; /* level * 2^28 + number */
-} rsh_stack;
+/* Rays of a block that fill this much of the scene have no order of boxes in common. */
+#define RSH_WIDE 0.1f
 
-/* The boxes of a group that the bundle can meet, the nearest on top. */
-static void push_group(rsh_stack* stack, rsh_work* work, const rsh_bundle* bundle, uint level,
-                       uint group)
+/* Blocks of the tile that go down the boxes together. */
+typedef struct rsh_probe {
+    rsh_bundle bundle;
+    uint blocks; /* bit mask */
+    int sign[3]; /* that of all their rays per axis, or 0 */
+    uint wasted; /* visits that met no block, less those that did */
+} rsh_probe;
+
+static rsh_probe probe_of(const rsh_work* work, uint blocks, const rsh_hull* hull)
 {
-    float near[16];
+    rsh_probe probe = {bundle_of(hull), blocks, {0, 0, 0}, 0};
+    for (uint axis = 0; axis < 3; ++axis) {
+        const int sign = probe.bundle.slab[axis].sign;
+        probe.sign[axis] = work->is_converging ? -sign : sign;
+    }
+    return probe;
+}
+
+/* How far the probe still has to look. */
+static void lower_limit(const rsh_work* work, rsh_probe* probe)
+{
+    floatv limit[RSH_VECTORS];
+    for (uint v = 0; v < RSH_VECTORS; ++v) limit[v] = work->blocks.limit[v];
+    for (uint b = 0; b < 16; ++b)
+        if (!(probe->blocks >> b & 1)) ((float*)limit)[b] = -1.0f;
+    probe->bundle.limit = largest_lane(limit);
+}
+
+static void visit_box(rsh_work* work, rsh_probe* probe, const rsh_box* box)
+{
     work->node_tests += 16;
-    uint met = boxes_met(bundle, group_of(work->scene, level, group), near) &
-               boxes_of(work->scene->levels.boxes[level], group);
-    const uint bottom = stack->size;
-    for (; met; met &= met - 1) {
-        const uint k = lowest_bit(met);
-        uint at = stack->size++;
-        for (; at > bottom && stack->near[at - 1] < near[k]; --at) {
-            stack->near[at] = stack->near[at - 1];
-            stack->box[at] = stack->box[at - 1];
+    uint blocks = bundles_meeting(&work->blocks, &probe->bundle, box->low, box->high) &
+                  probe->blocks;
+    const uint few = RSH_FEW_BLOCKS + probe->wasted;
+    probe->wasted = blocks ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
+    if (!blocks) return;
+    if (popcount(blocks) > few && box->level > 1) {
+        push_boxes_met(work, &probe->bundle, box->level - 1, box->number);
+        return;
+    }
+    if (popcount(blocks) > few)
+        intersect_cluster_by_blocks(work, &probe->bundle, probe->sign, box, blocks);
+    else
+        for (; blocks; blocks &= blocks - 1) {
+            rsh_block_probe block = {lowest_bit(blocks), probe->sign, 0};
+            const uint bottom = work->stack_size;
+            visit_box_by_block(work, &block, box);
+            traverse_block(work, &block, bottom);
         }
-        stack->near[at] = near[k];
-        stack->box[at] = level << 28 | (16 * group + k);
-    }
+    lower_limit(work, probe);
 }
 
-static void visit_box(rsh_stack* stack, rsh_work* work, rsh_probe* probe, uint level, uint box)
+static void traverse(rsh_work* work, uint blocks, const rsh_hull* hull)
 {
-    uint blocks = probe->blocks;
-    float low[3], high[3];
-    load_box(group_of(work->scene, level, box / 16), box % 16, low, high);
-    if (!is_single(blocks)) {
-        work->node_tests += 16;
-        blocks &= bundles_meeting(&work->blocks, &probe->bundle, low, high);
-        if (!blocks) return;
+    rsh_probe probe = probe_of(work, blocks, hull);
+    lower_limit(work, &probe);
+    push_boxes_met(work, &probe.bundle, work->scene->levels.count - 1, 0);
+    if (is_single(blocks)) {
+        rsh_block_probe block = {lowest_bit(blocks), probe.sign, 0};
+        traverse_block(work, &block, 0);
+        return;
     }
-    if (level == 1) {
-        intersect_cluster(work, probe, work->scene->children[box], blocks, low, high);
-    } else if (is_single(blocks) && !is_single(probe->blocks)) {
-        push_group(stack, work, block_bundle(work, lowest_bit(blocks)), level - 1, box);
-    } else {
-        push_group(stack, work, &probe->bundle, level - 1, box);
+    while (work->stack_size) {
+        const ulong top = work->stack[--work->stack_size];
+        if (near_of(top) > probe.bundle.limit) continue;
+        const rsh_box box = load_box(work, level_of(top), number_of(top));
+        visit_box(work, &probe, &box);
     }
 }
 
-static void traverse(rsh_work* work, rsh_probe* probe)
+static bool is_wide(const rsh_work* work, float cost)
 {
-    rsh_stack stack;
-    stack.size = 0;
-    push_group(&stack, work, &probe->bundle, work->scene->levels.count - 1, 0);
-    while (stack.size) {
-        const uint top = --stack.size;
-        if (stack.near[top] > probe->bundle.limit) continue;
-        visit_box(&stack, work, probe, stack.box[top] >> 28, stack.box[top] & 0x0fffffffu);
+    return cost >= RSH_WIDE * (float)work->scene->levels.boxes[1];
+}
+
+/* Together, if that costs no more than block by block. */
+static bool traverse_together(rsh_work* work, uint blocks, const float* cost)
+{
+    const rsh_hull hull = hull_of(work, blocks);
+    float apart = 0.0f, together = RSH_START + cost_of(work, &hull);
+    for (uint left = blocks; left; left &= left - 1) {
+        const float alone = cost[lowest_bit(left)];
+        apart += is_wide(work, alone) ? 16.0f * RSH_RAY : RSH_START + alone;
+        together += alone; /* each still has its own to do at the clusters */
+    }
+    if (together > apart) return false;
+    traverse(work, blocks, &hull);
+    return true;
+}
+
+static void traverse_apart(rsh_work* work, uint blocks, const float* cost)
+{
+    for (; blocks; blocks &= blocks - 1) {
+        const uint b = lowest_bit(blocks);
+        if (is_wide(work, cost[b]) && block_of(work, b)->is_fit) {
+            traverse_rays(work, b);
+        } else {
+            const rsh_hull hull = hull_of(work, 1u << b);
+            traverse(work, 1u << b, &hull);
+        }
     }
 }
 
-static void traverse_blocks(rsh_work* work, uint blocks)
+/* A tile whose rays have little in common, as at the edge between two mirrors, goes by
+ * quarters, blocks or rays. */
+static void traverse_tile(rsh_work* work, uint active)
 {
-    rsh_probe probe = probe_of(work, blocks);
-    if (probe.bundle.limit >= 0.0f) traverse(work, &probe);
-}
-
-static void traverse_rays(rsh_work* work, uint b)
-{
-    rsh_block* block = block_of(work, b);
-    rsh_probe probe;
-    probe.blocks = 1u << b;
-    for (probe.ray = 0; probe.ray < 16; ++probe.ray) {
-        probe.bundle = ray_bundle(block, probe.ray);
-        if (probe.bundle.limit >= 0.0f) traverse(work, &probe);
+    float cost[16];
+    costs_of_blocks(work, cost);
+    if (traverse_together(work, active, cost)) return;
+    for (uint quarter = 0; quarter < 4; ++quarter) {
+        const uint blocks = active & (0x0033u << (quarter / 2 * 8 + quarter % 2 * 2));
+        if (blocks && !traverse_together(work, blocks, cost))
+            traverse_apart(work, blocks, cost);
     }
 }
 
-/* Blocks that hold a ray. */
+/* Returns the blocks that hold a ray. */
 static uint begin_tile(rsh_work* work)
 {
     uint active = 0;
@@ -100,7 +151,7 @@ static uint begin_tile(rsh_work* work)
         active |= RSH_LANE_BITS(work->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
     }
     work->is_converging = as_uint(work->nodes[16 * 13]) != 0;
-    work->loaded = work->node_tests = work->ray_tests = 0;
+    work->loaded = work->node_tests = work->ray_tests = work->stack_size = 0;
     if (!active) return 0;
     for (uint axis = 0; axis < 3; ++axis)
         for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -112,70 +163,45 @@ static uint begin_tile(rsh_work* work)
     return active;
 }
 
-static float size_of_scene(const rsh_geometry_in* scene)
+static void measure_scene(rsh_work* work)
 {
-    __global const float* top = group_of(scene, scene->levels.count - 1, 0);
-    float size = 0.0f;
-    for (uint axis = 0; axis < 3; ++axis) {
-        floatv low[RSH_VECTORS], high[RSH_VECTORS];
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
-            low[v] = load_lanes(top + 16 * axis + RSH_WIDTH * v);
-            high[v] = load_lanes(top + 48 + 16 * axis + RSH_WIDTH * v);
-        }
-        size = fmax(size, largest_lane(high) - smallest_lane(low));
-    }
-    return size;
+    rsh_boxes top;
+    float side[3];
+    load_boxes(group_of(work, work->scene->levels.count - 1, 0), &top);
+    for (uint axis = 0; axis < 3; ++axis)
+        side[axis] = largest_lane(top.high[axis]) - smallest_lane(top.low[axis]);
+    work->scene_size = fmax(side[0], fmax(side[1], side[2]));
+    const float surface = side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+    work->cluster_size = surface / (float)work->scene->levels.boxes[1];
 }
 
-/* Each ray of a block on its own. */
-#define RSH_COST_OF_RAYS (16.0f * RSH_RAY)
-
-static void traverse_block(rsh_work* work, uint b, float cost)
+static void store_answers(const rsh_work* work, __global rsh_hit* hits,
+                          __global uint* occlusion, uint occlusion_bit)
 {
-    if (cost >= RSH_COST_OF_RAYS && block_of(work, b)->is_fit)
-        traverse_rays(work, b);
-    else
-        traverse_blocks(work, 1u << b);
-}
-
-/* Together, if that costs no more than one by one. */
-static bool traverse_together(rsh_work* work, uint blocks, const float* cost)
-{
-    float apart = 0.0f;
-    for (uint left = blocks; left; left &= left - 1) apart += cost[lowest_bit(left)];
-    if (cost_of(work, blocks) > apart) return false;
-    traverse_blocks(work, blocks);
-    return true;
-}
-
-/* A tile whose rays have little in common, as at the edge between two mirrors, goes by
- * quarters, blocks or rays. */
-static void traverse_tile(rsh_work* work, uint active)
-{
-    float cost[16];
-    for (uint left = active; left; left &= left - 1)
-        cost[lowest_bit(left)] =
-            fmin(cost_of(work, left & -left), RSH_COST_OF_RAYS);
-    if (traverse_together(work, active, cost)) return;
-    for (uint quarter = 0; quarter < 4; ++quarter) {
-        uint blocks = active & (0x0033u << (quarter / 2 * 8 + quarter % 2 * 2));
-        if (!blocks || traverse_together(work, blocks, cost)) continue;
-        for (; blocks; blocks &= blocks - 1)
-            traverse_block(work, lowest_bit(blocks), cost[lowest_bit(blocks)]);
+    for (uint b = 0; b < 16; ++b) {
+        const bool is_loaded = work->loaded >> b & 1;
+        if (!work->is_any && !is_loaded)
+            store_misses(work->tile, b, work->rays, hits);
+        else if (!work->is_any)
+            store_hits(&work->block[b], work->tile, b, hits);
+        else if (is_loaded)
+            store_occlusion(&work->block[b], work->tile, b, occlusion, occlusion_bit);
     }
 }
 
-__kernel void rsh_traverse_tiles(rsh_mesh mesh, __global const float* vertices,
-                                 __global const uint* indices, rsh_box_levels levels,
-                                 __global const float* boxes, rsh_levels shape,
-                                 __global const rsh_ray* rays, __global const float* nodes,
-                                 __global rsh_hit* hits, __global uint* occlusion,
-                                 uint occlusion_bit, uint is_counting, __global uint* counts)
+__kernel void rsh_traverse_tiles(rsh_box_levels levels, __global const float* boxes,
+                                 rsh_levels shape, __global const rsh_ray* rays,
+                                 __global const float* nodes, __global rsh_hit* hits,
+                                 __global uint* occlusion, uint occlusion_bit,
+                                 uint is_counting, __global uint* counts)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    __global const uint* children = (__global const uint*)boxes + children_at(levels);
-    const rsh_geometry_in scene = {mesh, vertices, indices, boxes, children, levels};
+    rsh_scene_in scene;
+    scene.levels = levels;
+    scene.boxes = boxes;
+    scene.order = (__global const uint*)boxes + order_at(&scene.levels);
+    scene.scaled = (__global const uint*)boxes + scaled_at(&scene.levels);
     rsh_work work;
     work.scene = &scene;
     work.rays = rays;
@@ -183,21 +209,11 @@ __kernel void rsh_traverse_tiles(rsh_mesh mesh, __global const float* vertices,
     work.tile = tile_at(shape, me);
     work.is_any = occlusion_bit != 0;
     const uint active = begin_tile(&work);
-    if (active && mesh.triangle_count) {
-        work.scene_size = size_of_scene(&scene);
-        work.cluster_size = fmax(boxes[cluster_size_at(levels)],
-                                 1e-7f * work.scene_size * work.scene_size);
+    if (active && scene.levels.boxes[0]) {
+        measure_scene(&work);
         traverse_tile(&work, active);
     }
-    for (uint b = 0; b < 16; ++b) {
-        const bool is_loaded = work.loaded >> b & 1;
-        if (!occlusion_bit && !is_loaded)
-            store_misses(work.tile, b, rays, hits);
-        else if (!occlusion_bit)
-            store_hits(&work.block[b], work.tile, b, hits);
-        else if (is_loaded)
-            store_occlusion(&work.block[b], work.tile, b, occlusion, occlusion_bit);
-    }
+    store_answers(&work, hits, occlusion, occlusion_bit);
     if (!is_counting) return;
     atomic_add(counts, work.node_tests);
     atomic_add(counts + 1, work.ray_tests);

@@ -19,7 +19,7 @@ typedef uint uintv;
 #define as_intv as_int
 #define as_floatv as_float
 #define as_uintv as_uint
-#define convert_uintv_sat convert_uint_sat
+#define convert_intv convert_int
 #define store_lanes(value, array) ((array)[0] = (value))
 #define load_lanes(array) ((array)[0])
 #define any_lane(mask) (mask)
@@ -32,15 +32,32 @@ typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define as_intv RSH_JOIN(as_int, RSH_WIDTH)
 #define as_floatv RSH_JOIN(as_float, RSH_WIDTH)
 #define as_uintv RSH_JOIN(as_uint, RSH_WIDTH)
-#define convert_uintv_sat RSH_JOIN(RSH_JOIN(convert_uint, RSH_WIDTH), _sat)
+#define convert_intv RSH_JOIN(convert_int, RSH_WIDTH)
 #define store_lanes(value, array) RSH_JOIN(vstore, RSH_WIDTH)(value, 0, array)
 #define load_lanes(array) RSH_JOIN(vload, RSH_WIDTH)(0, array)
 #define any_lane(mask) (RSH_LANE_BITS(mask) != 0)
 #endif
 
+/* The lanes' numbers. */
+#if RSH_WIDTH == 1
+#define RSH_LANES ((intv)(0))
+#elif RSH_WIDTH == 4
+#define RSH_LANES ((intv)(0, 1, 2, 3))
+#elif RSH_WIDTH == 8
+#define RSH_LANES ((intv)(0, 1, 2, 3, 4, 5, 6, 7))
+#else
+#define RSH_LANES ((intv)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#endif
+
 /* Bit i: lane i of a mask. What a CPU does in one instruction takes a tree of them in plain
  * OpenCL C; clang, and so PoCL, gives its target's own to kernels as well. */
 #ifdef __has_builtin
+#if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_gathersiv16sf) && defined(__AVX512F__)
+/* Where it is defined: words base[at], a lane each. */
+#define RSH_GATHER(base, at)                                                              \
+    __builtin_ia32_gathersiv16sf((float16)(0.0f), (const void*)(ulong)(base), as_int16(at), \
+                                 0xffff, 4)
+#endif
 #if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_cvtd2mask512) && defined(__AVX512DQ__)
 #define RSH_LANE_BITS(mask) ((uint)(ushort)__builtin_ia32_cvtd2mask512(mask))
 #elif RSH_WIDTH == 8 && __has_builtin(__builtin_ia32_movmskps256) && defined(__AVX__)

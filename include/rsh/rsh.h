@@ -292,7 +292,7 @@ enum {
     RSH_BOUND_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
                               around the triangles                                            */
     RSH_BOUND_BOX = 2,     /* a box of origins and a box of directions, against boxes around
-                              triangles and around runs of them                               */
+                              triangles and around clusters of them                           */
     RSH_BOUND_CONE_FITTED = 3 /* as cone, but each node is fitted to all its rays instead of to
                               its four children, and angles up to 120 degrees are of use      */
 };
@@ -304,17 +304,17 @@ typedef struct rsh_bound_desc {
     cl_mem bounds; /* out: rsh_sizes.output_bytes.
                       cone, cone_fitted: triangle_count x float4, centre and radius [world];
                             radius -1: the triangle is never hit.
-                      box:  boxes of triangles and of runs of them, for rsh_traverse          */
+                      box:  triangles in clusters, and boxes around these, for rsh_traverse   */
     cl_mem scratch; /* box */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
  * frame.
  *
- * box:     runs of 16 neighbouring triangles make a cluster; clusters are put in Morton order,
- *          or the triangles themselves, where neighbours in the index are none in space.
- * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 30 per
- *          triangle; scratch_bytes: box about 14. */
+ * box:     triangles are put in the order of a Hilbert curve, large ones first; runs of 16 make
+ *          a cluster.
+ * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 42 per
+ *          triangle; scratch_bytes: box about 12. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,

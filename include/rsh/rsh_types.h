@@ -80,8 +80,15 @@ typedef struct rsh_node_quad {
 } rsh_node_quad;
 RSH_ASSERT_SIZE(rsh_node_quad, 128);
 
-/* Sixteen boxes side by side: of 16 triangles, or around 16 such groups. [axis][box]. A box
- * that holds nothing has low = infinity, high = -infinity. */
+/* Sixteen triangles side by side, [corner][axis][triangle]; with corners at infinity: none, or
+ * one that is never hit. */
+typedef struct rsh_cluster {
+    rsh_float corner[3][3][16];
+} rsh_cluster;
+RSH_ASSERT_SIZE(rsh_cluster, 576);
+
+/* Sixteen boxes side by side: around clusters, or around such groups. [axis][box]. A box that
+ * holds nothing has low = infinity, high = -infinity. */
 typedef struct rsh_box_group {
     rsh_float low[3][16];
     rsh_float high[3][16];

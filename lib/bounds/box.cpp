@@ -25,26 +25,26 @@ KernelName tiles_kernel(const char* kernel) {
     return {"program_tiles", kernel};
 }
 
-// Morton order of the clusters, or of the triangles, in two passes (order_boxes.cl).
-void sort_boxes(Recorder& recorder, const rsh_box_levels& levels, cl_mem boxes,
-                const Scratch& scratch) {
+// Where each triangle goes, in two passes of a counting sort (order_triangles.cl).
+void order_triangles(Recorder& recorder, const rsh_geometry& geometry, cl_mem boxes,
+                     const Scratch& scratch) {
     const Range items = order_range(recorder.context());
     const cl_uint item_count = static_cast<cl_uint>(items.items);
-    const cl_mem unordered = scratch["unordered"], extents = scratch["extents"],
-                 bins = scratch["bins"], keys = scratch["keys"],
+    const rsh_mesh mesh = mesh_of(geometry);
+    const cl_mem extents = scratch["extents"], bins = scratch["bins"], keys = scratch["keys"],
                  half_sorted = scratch["half sorted"];
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), items, levels, boxes,
-                    unordered, extents);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), items, levels, boxes,
-                    unordered, extents, keys, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), items, mesh,
+                    geometry.vertices, geometry.indices, extents);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), items, mesh,
+                    geometry.vertices, geometry.indices, extents, keys, bins);
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, item_count, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_low"), items, levels,
-                    extents, keys, bins, half_sorted);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_count_high"), items, levels,
-                    extents, half_sorted, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_low"), items,
+                    geometry.triangle_count, keys, bins, half_sorted);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_count_high"), items,
+                    geometry.triangle_count, half_sorted, bins);
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, item_count, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_high"), items, levels,
-                    extents, half_sorted, bins, boxes);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_high"), items,
+                    box_levels(geometry.triangle_count), half_sorted, bins, boxes);
 }
 
 }  // namespace
@@ -53,7 +53,6 @@ rsh_box_levels box_levels(cl_uint triangle_count) {
     rsh_box_levels levels = {};
     levels.boxes[0] = triangle_count;
     levels.count = 1;
-    levels.group_count = groups_of(triangle_count);
     do {
         const cl_uint level = levels.count++;
         levels.boxes[level] = groups_of(levels.boxes[level - 1]);
@@ -77,19 +76,18 @@ size_t Box::node_bytes(const rsh_levels& levels) const {
 
 size_t Box::scene_bytes(const rsh_geometry& geometry) const {
     const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    const size_t words = size_t{levels.boxes[0]} + levels.boxes[1] + 2;
-    return levels.group_count * sizeof(rsh_box_group) + words * sizeof(cl_uint);
+    const size_t words = size_t{levels.boxes[0]} + groups_of(levels.boxes[1]);
+    return levels.boxes[1] * sizeof(rsh_cluster) + levels.group_count * sizeof(rsh_box_group) +
+           words * sizeof(cl_uint);
 }
 
 Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
-    const rsh_box_levels levels = box_levels(geometry.triangle_count);
     const size_t items = order_range(context).items;
     Layout layout(context.caps.alignment);
-    layout.add_array<rsh_box_group>("unordered", groups_of(levels.boxes[1]));
     layout.add_array<rsh_scene_extent>("extents", items);
     layout.add_array<cl_uint>("bins", items * RSH_ORDER_BINS);
-    layout.add_array<cl_uint>("keys", levels.boxes[0]);
-    layout.add_array<cl_uint>("half sorted", size_t{2} * levels.boxes[0]);
+    layout.add_array<cl_uint>("keys", geometry.triangle_count);
+    layout.add_array<cl_uint>("half sorted", size_t{2} * geometry.triangle_count);
     return layout;
 }
 
@@ -98,15 +96,10 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     if (geometry.triangle_count == 0) return;
     const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
     const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    const Range groups = recorder.serial_range(groups_of(levels.boxes[1]));
-    const cl_mem unordered = scratch["unordered"];
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_triangles"), groups,
-                    mesh_of(geometry), geometry.vertices, geometry.indices, levels, desc.bounds,
-                    unordered);
-    sort_boxes(recorder, levels, desc.bounds, scratch);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_clusters"), groups,
-                    mesh_of(geometry), geometry.vertices, geometry.indices, levels, unordered,
-                    desc.bounds);
+    order_triangles(recorder, geometry, desc.bounds, scratch);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_clusters"),
+                    recorder.serial_range(groups_of(levels.boxes[1])), mesh_of(geometry),
+                    geometry.vertices, geometry.indices, levels, desc.bounds);
     for (cl_uint level = 2; level < levels.count; ++level)
         recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"),
                         recorder.serial_range(groups_of(levels.boxes[level])), levels, level,

@@ -3,7 +3,6 @@
 #include "bounds/box.hpp"
 #include "bounds/levels.hpp"
 #include "passes/intersect.hpp"
-#include "passes/mesh.hpp"
 
 namespace rsh {
 namespace {
@@ -36,13 +35,12 @@ void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const bool is_counting = context.statistics.enabled();
     report_progress(desc, 0, 1);
     if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCounts * 4);
-    const rsh_geometry& geometry = desc.geometry;
     const rsh_levels shape = find_bound(RSH_BOUND_BOX).levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_INTERSECT, {"program_tiles", "rsh_traverse_tiles"},
-                    recorder.serial_range(node_count(shape, 2)), mesh_of(geometry),
-                    geometry.vertices, geometry.indices, box_levels(geometry.triangle_count),
-                    bounds, shape, desc.rays, desc.nodes, desc.hits, desc.occlusion,
-                    occlusion_mask(desc), cl_uint{is_counting}, memory["counts"]);
+                    recorder.serial_range(node_count(shape, 2)),
+                    box_levels(desc.geometry.triangle_count), bounds, shape, desc.rays,
+                    desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
+                    cl_uint{is_counting}, memory["counts"]);
     if (is_counting) count_tests(recorder, memory["counts"]);
 }
 

@@ -78,28 +78,63 @@ bool is_empty(const rsh_box_group& group, uint32_t k) {
     return true;
 }
 
-// The padded triangle, or whether the box is empty where there is none to hit.
-::testing::AssertionResult holds_triangle(const rsh_box_group& group, uint32_t k,
-                                          const test::Mesh& mesh, uint32_t t) {
-    test::Corners c;
-    const bool is_hit = t < mesh.triangle_count() && mesh.corners(t, &c) && finite(c[0]) &&
-                        finite(c[1]) && finite(c[2]);
-    if (!is_hit)
-        return (is_empty(group, k) ? ::testing::AssertionSuccess()
-                                   : ::testing::AssertionFailure())
-               << "triangle " << t << " is never hit";
-    for (const Float3& p : c) {
-        const long double pad = kPad * max_norm(p);
-        const float at[3] = {p.x, p.y, p.z};
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(group.low[axis][k] <= at[axis] - pad &&
-                  group.high[axis][k] >= at[axis] + pad))
+// Corners of the triangle in place k; false if it is never hit.
+bool corners_of(const rsh_cluster& cluster, uint32_t k, test::Corners* corners) {
+    for (int i = 0; i < 3; ++i)
+        (*corners)[i] = {cluster.corner[i][0][k], cluster.corner[i][1][k],
+                         cluster.corner[i][2][k]};
+    return finite((*corners)[0]) && finite((*corners)[1]) && finite((*corners)[2]);
+}
+
+// Bit for bit, or at infinity where the triangle is never hit.
+::testing::AssertionResult is_triangle(const rsh_cluster& cluster, uint32_t k,
+                                       const test::Mesh& mesh, uint32_t t) {
+    test::Corners given, stored;
+    const bool is_hit = t < mesh.triangle_count() && mesh.corners(t, &given) &&
+                        finite(given[0]) && finite(given[1]) && finite(given[2]);
+    const bool is_finite = corners_of(cluster, k, &stored);
+    for (int i = 0; i < 3; ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+            const float expected = is_hit ? (&given[i].x)[axis] : INFINITY;
+            if (cluster.corner[i][axis][k] != expected)
                 return ::testing::AssertionFailure()
-                       << "triangle " << t << ", axis " << axis << ": " << at[axis]
-                       << " is not inside " << group.low[axis][k] << " .. "
-                       << group.high[axis][k];
+                       << "triangle " << t << ", corner " << i << ", axis " << axis << ": "
+                       << cluster.corner[i][axis][k] << " instead of " << expected;
+        }
+    return (is_finite == is_hit ? ::testing::AssertionSuccess()
+                                : ::testing::AssertionFailure());
+}
+
+// The triangles, padded.
+::testing::AssertionResult holds_cluster(const rsh_box_group& above, uint32_t k,
+                                         const rsh_cluster& cluster) {
+    for (uint32_t t = 0; t < 16; ++t) {
+        test::Corners c;
+        if (!corners_of(cluster, t, &c)) continue;
+        for (const Float3& p : c) {
+            const long double pad = kPad * max_norm(p);
+            const float at[3] = {p.x, p.y, p.z};
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(above.low[axis][k] <= at[axis] - pad &&
+                      above.high[axis][k] >= at[axis] + pad))
+                    return ::testing::AssertionFailure()
+                           << "place " << t << ", axis " << axis << ": " << at[axis]
+                           << " is not inside " << above.low[axis][k] << " .. "
+                           << above.high[axis][k];
+        }
     }
     return ::testing::AssertionSuccess();
+}
+
+// Outside of the sizes that intersect.h takes as they are.
+bool is_scaled(const rsh_cluster& cluster) {
+    for (uint32_t t = 0; t < 16; ++t) {
+        test::Corners c;
+        if (!corners_of(cluster, t, &c)) continue;
+        const float size = std::max(max_norm(c[1] - c[0]), max_norm(c[2] - c[0]));
+        if (!(size >= 0x1p-20f && size <= 0x1p20f)) return true;
+    }
+    return false;
 }
 
 bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& below) {
@@ -116,32 +151,38 @@ void expect_permutation(std::vector<uint32_t> numbers) {
     for (uint32_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], i);
 }
 
-// Levels one after the other, each with the groups of the one below in its boxes; those of
-// clusters have their children where `children` says.
-void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
-    const auto& groups = boxes.groups;
-    expect_permutation(boxes.children);
+void expect_clusters(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
     expect_permutation(boxes.order);
-    uint32_t below = (mesh.triangle_count() + 15) / 16, first = 0;
-    for (uint32_t i = 0; i < 16 * below; ++i) {
+    for (uint32_t i = 0; i < 16 * boxes.clusters.size(); ++i) {
         const uint32_t t = i < boxes.order.size() ? boxes.order[i] : i;
-        ASSERT_TRUE(holds_triangle(groups[i / 16], i % 16, mesh, t));
+        ASSERT_TRUE(is_triangle(boxes.clusters[i / 16], i % 16, mesh, t)) << "place " << i;
     }
-    for (uint32_t boxes_here = below; boxes_here > 0; boxes_here = below) {
-        const uint32_t level = first + boxes_here;  // where its groups begin
-        below = (boxes_here + 15) / 16;
-        ASSERT_LE(level + below, groups.size());
-        for (uint32_t i = 0; i < 16 * below; ++i) {
-            const rsh_box_group& group = groups[level + i / 16];
-            if (i >= boxes_here) {
+    for (uint32_t i = 0; i < boxes.clusters.size(); ++i)
+        EXPECT_EQ((boxes.scaled[i / 16] >> i % 16 & 1) != 0, is_scaled(boxes.clusters[i]))
+            << "cluster " << i;
+}
+
+// Level by level: each box holds the cluster or the group with its number.
+void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
+    expect_clusters(mesh, boxes);
+    const auto& groups = boxes.groups;
+    uint32_t below = 0, first = 0;  // groups of the level below, and of this
+    for (uint32_t count = uint32_t(boxes.clusters.size()); count > 0;) {
+        const uint32_t here = (count + 15) / 16;
+        ASSERT_LE(first + here, groups.size());
+        for (uint32_t i = 0; i < 16 * here; ++i) {
+            const rsh_box_group& group = groups[first + i / 16];
+            if (i >= count)
                 ASSERT_TRUE(is_empty(group, i % 16)) << "box " << i;
-                continue;
-            }
-            const uint32_t child = first ? first + i : boxes.children[i];
-            ASSERT_TRUE(holds_group(group, i % 16, groups[child])) << "box " << i;
+            else if (first == 0)
+                ASSERT_TRUE(holds_cluster(group, i % 16, boxes.clusters[i])) << "box " << i;
+            else
+                ASSERT_TRUE(holds_group(group, i % 16, groups[below + i])) << "box " << i;
         }
-        first = level;
-        if (below == 1) break;
+        if (here == 1) break;
+        below = first;
+        first += here;
+        count = here;
     }
 }
 
@@ -153,18 +194,51 @@ TEST_P(Box, OfTheSceneContainsWhatIsBelowIt) {
 
 INSTANTIATE_TEST_SUITE_P(All, Box, ::testing::ValuesIn(test::all_cases()), test::case_name);
 
-// Neighbours in the index that are none in space: the triangles are ordered, and only then.
-TEST(BoxOrder, IsThatOfTrianglesWhereRunsOfThemAreSparse) {
+// A small triangle around each point.
+test::Mesh triangles_at(const std::vector<Float3>& points) {
+    test::Mesh mesh;
+    for (const Float3& p : points)
+        mesh.add(p, p + Float3(0.01f, 0, 0), p + Float3(0, 0.01f, 0));
+    return mesh;
+}
+
+// One triangle in each of 8 x 8 x 8 equal cells, in any order: those that follow each other lie
+// in cells that share a face.
+TEST(BoxOrder, FollowsACurveWithoutJumps) {
     test::Random random(6);
-    const uint32_t triangles = test::small() ? 600 : 20000;
-    const test::Mesh strewn = test::random_soup(random, triangles, 0.01f);
-    const test::SceneBoxes of_strewn = test::bound_boxes(test::DeviceMesh(strewn));
-    EXPECT_TRUE(of_strewn.is_ordered);
-    expect_contained(strewn, of_strewn);
-    const test::Mesh closed = test::sphere(test::small() ? 24 : 160, 81);
-    const test::SceneBoxes of_closed = test::bound_boxes(test::DeviceMesh(closed));
-    EXPECT_FALSE(of_closed.is_ordered);
-    expect_contained(closed, of_closed);
+    std::vector<Float3> cells;
+    for (int i = 0; i < 512; ++i)
+        cells.emplace_back(8.0f + 16.0f * (i % 8), 8.0f + 16.0f * (i / 8 % 8),
+                           8.0f + 16.0f * (i / 64));
+    for (size_t i = cells.size() - 1; i > 0; --i)
+        std::swap(cells[i], cells[random.below(uint32_t(i + 1))]);
+    std::vector<Float3> points = {Float3(0, 0, 0), Float3(126.98f, 126.98f, 126.98f)};
+    points.insert(points.end(), cells.begin(), cells.end());
+    const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(triangles_at(points)));
+    std::vector<uint32_t> order = boxes.order;
+    order.erase(std::remove_if(order.begin(), order.end(), [](uint32_t t) { return t < 2; }),
+                order.end());  // they only span the grid
+    for (size_t i = 1; i < order.size(); ++i) {
+        const Float3 step = points[order[i]] - points[order[i - 1]];
+        ASSERT_EQ(std::fabs(step.x) + std::fabs(step.y) + std::fabs(step.z), 16.0f)
+            << "place " << i << ": triangle " << order[i] << " after " << order[i - 1];
+    }
+}
+
+// Else every box around one of them would be large.
+TEST(BoxOrder, PutsLargeTrianglesTogether) {
+    test::Random random(7);
+    const uint32_t triangles = test::small() ? 640 : 8000, large = triangles / 40;
+    test::Mesh mesh;
+    for (uint32_t t = 0; t < triangles; ++t) {
+        const float size = t % 40 == 39 ? 0.5f : 0.01f;
+        const Float3 p(random.unit(), random.unit(), random.unit());
+        mesh.add(p, p + Float3(size, 0, 0), p + Float3(0, size, 0));
+    }
+    const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
+    expect_contained(mesh, boxes);
+    for (uint32_t i = 0; i < triangles; ++i)
+        EXPECT_EQ(boxes.order[i] % 40 == 39, i < large) << "place " << i;
 }
 
 TEST(BoxSizes, ContainRaysInGridsOfAnyShape) {

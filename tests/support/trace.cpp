@@ -148,17 +148,18 @@ std::vector<cl_float4> bound(const DeviceMesh& mesh) {
 SceneBoxes bound_boxes(const DeviceMesh& mesh) {
     const std::vector<uint32_t> words = bounds_of<uint32_t>(mesh, RSH_BOUND_BOX);
     const uint32_t triangles = mesh.geometry().triangle_count;
-    const uint32_t clusters = (triangles + 15) / 16;
+    const uint32_t clusters = (triangles + 15) / 16, scaled = (clusters + 15) / 16;
     SceneBoxes made;
-    made.groups.resize((words.size() - 2 - triangles - clusters) / 96);
-    const uint32_t* behind = words.data() + 96 * made.groups.size();
-    if (!made.groups.empty())
-        std::memcpy(made.groups.data(), words.data(),
-                    made.groups.size() * sizeof(rsh_box_group));
-    made.children.assign(behind, behind + clusters);
-    made.is_ordered = triangles && behind[clusters + triangles] != 0;
-    for (uint32_t i = 0; i < triangles; ++i)
-        made.order.push_back(made.is_ordered ? behind[clusters + i] : i);
+    const uint32_t* at = words.data();
+    const auto take = [&at](auto& items, size_t count) {
+        items.resize(count);
+        if (count) std::memcpy(items.data(), at, count * sizeof(items[0]));
+        at += count * sizeof(items[0]) / sizeof *at;
+    };
+    take(made.clusters, clusters);
+    take(made.groups, (words.size() - 144 * clusters - triangles - scaled) / 96);
+    take(made.order, triangles);
+    take(made.scaled, scaled);
     return made;
 }
 

@@ -51,10 +51,10 @@ std::vector<Node> nodes_of(const BuiltNodes& built) {
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
 // What rsh_bound makes for the bound `box`, see kernels/scene_boxes.h.
 struct SceneBoxes {
+    std::vector<rsh_cluster> clusters;
     std::vector<rsh_box_group> groups;
-    std::vector<uint32_t> children;  // of the clusters
-    std::vector<uint32_t> order;     // of the triangles
-    bool is_ordered;                 // by triangle; else order counts up
+    std::vector<uint32_t> order;   // triangle numbers, by their places in the clusters
+    std::vector<uint32_t> scaled;  // a bit per cluster
 };
 SceneBoxes bound_boxes(const DeviceMesh& mesh);
 
