@@ -1,6 +1,6 @@
-/* hilbert.h - places along Hilbert's curve through a grid of 128 cells a side: 16 points at a
- * time. Cells that follow each other share a face, so that runs of points are compact; runs
- * along Morton's curve jump, and their boxes are met by 1.5 to 2 times as many rays.
+/* hilbert.h - places along Hilbert's curve through a grid of cells: 16 points at a time. Cells
+ * that follow each other share a face, so that runs of points are compact; runs along Morton's
+ * curve jump, and 1.5 to 2 times as many rays meet their boxes.
  *
  * Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004.
  */
@@ -8,8 +8,6 @@
 #define RSH_HILBERT_H
 
 #include "vector.h"
-
-#define RSH_HILBERT_BITS 7
 
 /* Every third bit, from the lower 7. */
 static uintv spread_bits(uintv x)
@@ -32,12 +30,11 @@ static void turn(uintv* x, uintv* b, uint bit)
     *b ^= swapped;
 }
 
-/* cell: x, y, z, below 2^7. */
-static uintv hilbert_place(const uintv cell[3])
+/* cell: x, y, z, below 2^bits; 7 at most. */
+static uintv hilbert_place(const uintv cell[3], uint bits)
 {
     uintv x = cell[0], y = cell[1], z = cell[2];
-#pragma unroll
-    for (uint bit = RSH_HILBERT_BITS - 1; bit > 0; --bit) {
+    for (uint bit = bits - 1; bit > 0; --bit) {
         const uint below = (1u << bit) - 1;
         x ^= mask_of(x, bit) & below;
         turn(&x, &y, bit);
@@ -46,8 +43,7 @@ static uintv hilbert_place(const uintv cell[3])
     y ^= x;
     z ^= y;
     uintv flip = (uintv)(0u);
-#pragma unroll
-    for (uint bit = RSH_HILBERT_BITS - 1; bit > 0; --bit)
+    for (uint bit = bits - 1; bit > 0; --bit)
         flip ^= mask_of(z, bit) & ((1u << bit) - 1);
     return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
 }

@@ -50,11 +50,15 @@ RSH_ASSERT_SIZE(rsh_run_step, 44);
 #define RSH_TALLY_FINISHED 34
 #define RSH_TALLY_WORDS 36
 
-/* Of the sort of order_triangles.cl: counts per work-item, and what it saw of the scene. */
-#define RSH_ORDER_BINS 2048
+/* What a work-item of order_triangles.cl saw of the scene. */
 typedef struct rsh_scene_extent {
     rsh_float low[3], high[3];
+    rsh_uint asked, sparse; /* runs of 16 triangles; those that are mostly empty */
 } rsh_scene_extent;
-RSH_ASSERT_SIZE(rsh_scene_extent, 24);
+RSH_ASSERT_SIZE(rsh_scene_extent, 32);
+
+/* Bins of its sort by cells of 2^-bits of the scene: cells for large triangles, four times as
+ * long, then those for the others. */
+#define RSH_ORDER_BINS(bits) (65u << (3 * (bits) - 6))
 
 #endif

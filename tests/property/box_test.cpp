@@ -202,27 +202,50 @@ test::Mesh triangles_at(const std::vector<Float3>& points) {
     return mesh;
 }
 
-// One triangle in each of 8 x 8 x 8 equal cells, in any order: those that follow each other lie
-// in cells that share a face.
-TEST(BoxOrder, FollowsACurveWithoutJumps) {
-    test::Random random(6);
+// The centres of 8 x 8 x 8 equal cells of a cube from 0 to 127, shuffled.
+std::vector<Float3> shuffled_cells(test::Random& random) {
     std::vector<Float3> cells;
-    for (int i = 0; i < 512; ++i)
+    for (uint32_t i = 0; i < 512; ++i) {
         cells.emplace_back(8.0f + 16.0f * (i % 8), 8.0f + 16.0f * (i / 8 % 8),
                            8.0f + 16.0f * (i / 64));
-    for (size_t i = cells.size() - 1; i > 0; --i)
-        std::swap(cells[i], cells[random.below(uint32_t(i + 1))]);
-    std::vector<Float3> points = {Float3(0, 0, 0), Float3(126.98f, 126.98f, 126.98f)};
-    points.insert(points.end(), cells.begin(), cells.end());
+        std::swap(cells[i], cells[random.below(i + 1)]);
+    }
+    return cells;
+}
+
+// Per cell `count` triangles, one after the other; before them `count` each that span the cube.
+std::vector<Float3> fill(const std::vector<Float3>& cells, uint32_t count) {
+    std::vector<Float3> points(count, Float3(0, 0, 0));
+    points.insert(points.end(), count, Float3(126.98f, 126.98f, 126.98f));
+    for (const Float3& cell : cells) points.insert(points.end(), count, cell);
+    return points;
+}
+
+// Cells that follow each other share a face; in a cell, triangles come as they came.
+void expect_no_jumps(const std::vector<Float3>& points, uint32_t per_cell) {
     const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(triangles_at(points)));
+    expect_permutation(boxes.order);
     std::vector<uint32_t> order = boxes.order;
-    order.erase(std::remove_if(order.begin(), order.end(), [](uint32_t t) { return t < 2; }),
-                order.end());  // they only span the grid
+    order.erase(std::remove_if(order.begin(), order.end(),
+                               [&](uint32_t t) { return t < 2 * per_cell; }),
+                order.end());
     for (size_t i = 1; i < order.size(); ++i) {
         const Float3 step = points[order[i]] - points[order[i - 1]];
-        ASSERT_EQ(std::fabs(step.x) + std::fabs(step.y) + std::fabs(step.z), 16.0f)
+        const float length = std::fabs(step.x) + std::fabs(step.y) + std::fabs(step.z);
+        ASSERT_EQ(length, i % per_cell ? 0.0f : 16.0f)
             << "place " << i << ": triangle " << order[i] << " after " << order[i - 1];
+        ASSERT_TRUE(i % per_cell == 0 || order[i] == order[i - 1] + 1) << "place " << i;
     }
+}
+
+TEST(BoxOrder, FollowsACurveWithoutJumps) {
+    test::Random random(6);
+    expect_no_jumps(fill(shuffled_cells(random), 1), 1);
+}
+
+TEST(BoxOrder, LeavesCompactRunsTogether) {
+    test::Random random(8);
+    expect_no_jumps(fill(shuffled_cells(random), 16), 16);
 }
 
 // Else every box around one of them would be large.
