@@ -94,12 +94,20 @@ static void clear_node(uint b, rsh_node_rows* rows)
     rows->row[12][b] = -1.0f;
 }
 
+/* Says in the nodes of a list whether they have an order. */
+__kernel void rsh_build_order(rsh_levels shape, __global const rsh_sorting* sorting,
+                              __global uint* nodes)
+{
+    if (get_global_id(0) == 0)
+        nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
+}
+
 __kernel void rsh_build_blocks(rsh_levels shape, __global const rsh_ray* rays,
                                uint is_converging, __global float* groups)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    const rsh_tile tile = tile_at(shape, me);
+    const rsh_tile tile = tile_at(shape, (__global const uint*)groups, me);
     rsh_node_rows rows;
     for (uint b = 0; b < 16; ++b) {
         rsh_ray_block block;

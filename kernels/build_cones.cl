@@ -249,7 +249,7 @@ __kernel void rsh_fit_tiles(rsh_levels shape, __global const rsh_ray* rays, uint
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
     const rsh_levels levels = shape;
-    const rsh_tile tile = tile_at(shape, me);
+    const rsh_tile tile = tile_at(shape, 0, me);
     rsh_sheaf sheaf[16];
     rsh_extent whole = no_extent();
     for (uint b = 0; b < 16; ++b) {
@@ -302,7 +302,7 @@ __kernel void rsh_measure_level(rsh_levels shape, uint level, __global const rsh
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
     const rsh_levels levels = shape;
-    const rsh_tile tile = tile_at(shape, me);
+    const rsh_tile tile = tile_at(shape, 0, me);
     const rsh_place at = place_of(&levels, 2, me, level);
     __global float* node = group_at(groups, &levels, level, at.parent) + at.lane;
     rsh_fitted cone = {(float3)(node[0], node[16], node[32]), -1.0f,

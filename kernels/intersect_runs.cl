@@ -11,7 +11,17 @@
 #include "scene_boxes.h"
 #include "siblings.h"
 
-/* Runs of the bound `box` name places of its level 0. */
+/* Only those of the bound `box` have an order of rays. */
+static rsh_tile run_tile(rsh_levels shape, __global const float* nodes, uint tile)
+{
+#if RSH_FITTED
+    return tile_at(shape, 0, tile);
+#else
+    return tile_at(shape, (__global const uint*)nodes, tile);
+#endif
+}
+
+/* Runs of the bound `box` name places in its clusters. */
 static __global const uint* order_of(__global const uint* bounds, rsh_box_levels levels)
 {
 #if RSH_FITTED
@@ -33,6 +43,7 @@ __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
                                  __global const float* vertices, __global const uint* indices,
                                  __global const rsh_ray* rays,
                                  rsh_box_levels boxes, __global const uint* bounds,
+                                 __global const float* nodes,
                                  __global const uint* triangles, __global const uint2* runs,
                                  __global rsh_hit* hits, __global uint* occlusion,
                                  uint occlusion_bit)
@@ -42,7 +53,7 @@ __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
     const rsh_levels levels = shape;
     const rsh_run_target target = {mesh, vertices,  indices,       rays,
                                    hits, occlusion, occlusion_bit, order_of(bounds, boxes)};
-    const rsh_tile tile = tile_at(shape, me);
+    const rsh_tile tile = run_tile(shape, nodes, me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
         if (node == RSH_NO_NODE || runs[node].y == 0) continue;
@@ -103,7 +114,7 @@ __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh
     const rsh_run_target target = {
         mesh, vertices,  indices,       rays,
         hits, occlusion, occlusion_bit, order_of((__global const uint*)bounds, boxes)};
-    const rsh_tile tile = tile_at(shape, me);
+    const rsh_tile tile = run_tile(shape, groups, me);
     rsh_siblings blocks;
     load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);
     rsh_gathered gathered;

@@ -50,15 +50,27 @@ RSH_ASSERT_SIZE(rsh_run_step, 44);
 #define RSH_TALLY_FINISHED 34
 #define RSH_TALLY_WORDS 36
 
-/* What a work-item of order_triangles.cl saw of the scene. */
-typedef struct rsh_scene_extent {
-    rsh_float low[3], high[3];
-    rsh_uint asked, sparse; /* runs of 16 triangles; those that are mostly empty */
-} rsh_scene_extent;
-RSH_ASSERT_SIZE(rsh_scene_extent, 32);
+/* How sort.cl puts things in the order of their keys: by bins, key >> rest, and in a bin by the
+ * other bits; decided on the device. */
+typedef struct rsh_sorting {
+    rsh_uint is_needed; /* 0: they stay as they are, and have no keys */
+    rsh_uint rest;      /* bits */
+} rsh_sorting;
+RSH_ASSERT_SIZE(rsh_sorting, 8);
 
-/* Bins of its sort by cells of 2^-bits of the scene: cells for large triangles, four times as
- * long, then those for the others. */
+/* What a work-item saw of the scene, or of a list of rays, before they are sorted. */
+typedef struct rsh_span {
+    rsh_float low[3], high[3];
+    rsh_uint asked, sparse; /* runs of 16; those that are no neighbours */
+} rsh_span;
+RSH_ASSERT_SIZE(rsh_span, 32);
+
+/* Bins of order_triangles.cl, by cells of 2^-bits of the scene: cells for large triangles, four
+ * times as long, then those for the others. */
 #define RSH_ORDER_BINS(bits) (65u << (3 * (bits) - 6))
+
+/* Bins of sort_rays.cl: octants of directions by cells of origins; then inactive rays. */
+#define RSH_RAY_CELL_BITS 3
+#define RSH_RAY_BINS ((8u << (3 * RSH_RAY_CELL_BITS)) + 1)
 
 #endif

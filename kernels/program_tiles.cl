@@ -2,5 +2,7 @@
  * for why. */
 #include "bound_boxes.cl"
 #include "order_triangles.cl"
+#include "sort_rays.cl"
+#include "sort.cl"
 #include "build_boxes.cl"
 #include "traverse_tiles.cl"

@@ -7,7 +7,7 @@
 #include "tile_cluster.h"
 
 /* So many rays go on alone; more, where boxes that the block meets were met by none of them. */
-#define RSH_FEW_RAYS 6
+#define RSH_FEW_RAYS 3
 
 /* A block on its way. */
 typedef struct rsh_block_probe {

@@ -206,7 +206,7 @@ __kernel void rsh_traverse_tiles(rsh_box_levels levels, __global const float* bo
     work.scene = &scene;
     work.rays = rays;
     work.nodes = nodes + 16ul * RSH_NODE_ROWS * me;
-    work.tile = tile_at(shape, me);
+    work.tile = tile_at(shape, (__global const uint*)nodes, me);
     work.is_any = occlusion_bit != 0;
     const uint active = begin_tile(&work);
     if (active && scene.levels.boxes[0]) {

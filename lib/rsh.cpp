@@ -201,11 +201,11 @@ rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_boun
 
 rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes,
                            rsh_levels* levels) {
-    return rsh::query(context, desc, sizes, [levels](const auto&, const auto& checked) {
+    return rsh::query(context, desc, sizes, [levels](const auto& own, const auto& checked) {
         const rsh::Bound& bound = rsh::find_bound(checked.bound);
         const rsh_levels shape = bound.levels(checked.width, checked.height);
         if (levels) *levels = shape;
-        return rsh::sizes_of(bound.node_bytes(shape), 0);
+        return rsh::sizes_of(bound.node_bytes(shape), bound.build_scratch(own, shape).bytes());
     });
 }
 

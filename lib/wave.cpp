@@ -55,7 +55,9 @@ void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc&
     const Bound& bound = bound_of(desc);
     layout.add("bounds", bound.scene_bytes(desc.scene->geometry));
     layout.add("bound scratch", bound.bound_scratch(context, desc.scene->geometry).bytes());
-    layout.add("nodes", bound.node_bytes(bound.levels(desc.width, desc.height)));
+    const rsh_levels levels = bound.levels(desc.width, desc.height);
+    layout.add("nodes", bound.node_bytes(levels));
+    layout.add("build scratch", bound.build_scratch(context, levels).bytes());
     const Engine& engine = find_engine(desc.engine);
     layout.add("traverse",
                engine.scratch(context, traverse_of(desc), SceneBounds::given).bytes());
@@ -106,9 +108,9 @@ rsh_bound_desc FrameMemory::bound() const {
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
-    return {sizeof(rsh_build_desc), at("rays", bounce), desc_.width,
-            desc_.height,           scratch_["nodes"],  0,
-            bound_of(desc_).id()};
+    return {sizeof(rsh_build_desc), at("rays", bounce),       desc_.width,
+            desc_.height,           scratch_["nodes"],        0,
+            bound_of(desc_).id(),   scratch_["build scratch"]};
 }
 
 rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
@@ -165,7 +167,8 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
             desc_.height,
             scratch_["nodes"],
             desc_.scene->positional_lights >> light & 1,
-            bound_of(desc_).id()};
+            bound_of(desc_).id(),
+            scratch_["build scratch"]};
 }
 
 rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {

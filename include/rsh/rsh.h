@@ -336,6 +336,7 @@ typedef struct rsh_build_desc {
                          leaves far fewer pairs. Rays with tmax above 1 are found all the same,
                          slowly. 0: nodes bound them from their origins */
     cl_uint bound;    /* RSH_BOUND_... */
+    cl_mem scratch;   /* box, lists */
 } rsh_build_desc;
 
 /* Fills *levels (may be NULL) and the sizes. */
@@ -344,10 +345,13 @@ RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* de
 
 /* Builds the hierarchy over the rays, bottom-up (Roger et al. 2007, step 2).
  *
- * Effect:  every node contains all active rays below it, rounding included.
- * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes;
- *          cone_fitted: 1 + 2 launches per level above the tiles of 256 rays, each of which
- *          reads all rays again; 2.2 bytes. */
+ * Effect:  every node contains all active rays below it, rounding included. Lists of box are
+ *          sorted by direction and origin where rays that follow each other are no neighbours;
+ *          the rays themselves and their answers stay where they are.
+ * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes,
+ *          for a list 8 launches, 7.5 bytes and about 10 of scratch; cone_fitted: 1 + 2
+ *          launches per level above the tiles of 256 rays, each of which reads all rays again;
+ *          2.2 bytes. */
 RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
                              const rsh_build_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);

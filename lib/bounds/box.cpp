@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bounds/levels.hpp"
+#include "bounds/sort.hpp"
 #include "cl/scratch.hpp"
 #include "passes/mesh.hpp"
 
@@ -15,47 +16,54 @@ cl_uint groups_of(cl_uint boxes) {
     return (boxes + kBoxesPerGroup - 1) / kBoxesPerGroup;
 }
 
-KernelName tiles_kernel(const char* kernel) {
-    return {"program_tiles", kernel};
+// Cells of 2^-bits of the scene that triangles are sorted by: up to 32 triangles for each cell
+// of space, most of which are empty.
+cl_uint cell_bits(cl_uint triangles) {
+    cl_uint bits = 4;
+    while (bits < 7 && triangles >> (3 * bits + 5)) ++bits;
+    return bits;
 }
 
-// How triangles are sorted (order_triangles.cl): by cells of 2^-bits of the scene, with so many
-// work-items that have bins of their own.
-struct Sorting {
-    cl_uint bits, items;
-
-    size_t bins() const { return size_t{items} * RSH_ORDER_BINS(bits); }
-};
-
-// Up to 32 triangles for each cell of space, most of which are empty; and no more bins than
-// triangles, but for four work-items.
-Sorting sorting_of(const Context& context, cl_uint triangles) {
-    Sorting sorting = {4, 4};
-    while (sorting.bits < 7 && triangles >> (3 * sorting.bits + 5)) ++sorting.bits;
-    const cl_uint most = std::max(4u, triangles / RSH_ORDER_BINS(sorting.bits));
-    sorting.items = std::min({context.caps.compute_units * 2, most, 64u});
-    return sorting;
+Sort sort_of_triangles(const Context& context, cl_uint triangles) {
+    return {triangles, RSH_ORDER_BINS(cell_bits(triangles)), context.caps.compute_units};
 }
 
+Sort sort_of_rays(const Context& context, const rsh_levels& list) {
+    return {list.width[0], RSH_RAY_BINS, context.caps.compute_units};
+}
+
+// order_triangles.cl.
 void order_triangles(Recorder& recorder, const rsh_geometry& geometry, cl_mem boxes,
                      const Scratch& scratch) {
-    const cl_uint triangles = geometry.triangle_count;
-    const Sorting sorting = sorting_of(recorder.context(), triangles);
-    const Range items = {sorting.items, 1};
+    const rsh_box_levels levels = box_levels(geometry.triangle_count);
+    const Sort sort = sort_of_triangles(recorder.context(), geometry.triangle_count);
     const rsh_mesh mesh = mesh_of(geometry);
-    const rsh_box_levels levels = box_levels(triangles);
-    const cl_mem extents = scratch["extents"], bins = scratch["bins"], keys = scratch["keys"];
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), items, mesh,
-                    geometry.vertices, geometry.indices, extents);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), items, mesh,
-                    geometry.vertices, geometry.indices, sorting.bits, extents, keys, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scan"), {1, 1}, sorting.items,
-                    sorting.bits, bins);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_scatter"), items, levels,
-                    sorting.bits, extents, keys, bins, boxes);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_refine"),
-                    {size_t{16} * sorting.items, 1}, levels, sorting.items, sorting.bits,
-                    extents, keys, bins, scratch["sorted"], boxes);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), sort.items(), mesh,
+                    geometry.vertices, geometry.indices, scratch["spans"]);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), sort.items(), mesh,
+                    geometry.vertices, geometry.indices, cell_bits(geometry.triangle_count),
+                    scratch["spans"], scratch["sorting"], scratch["keys"], scratch["bins"]);
+    const cl_ulong order = levels.boxes[1] * (sizeof(rsh_cluster) / 4) +
+                           levels.group_count * (sizeof(rsh_box_group) / 4);
+    sort.run(recorder, RSH_STAGE_BOUND, scratch, boxes, order);
+}
+
+// sort_rays.cl: behind the groups of a list's blocks.
+void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels& list,
+                const Scratch& scratch) {
+    const Sort sort = sort_of_rays(recorder.context(), list);
+    const cl_uint rays = list.width[0];
+    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_rays_measure"), sort.items(), desc.rays,
+                    rays, scratch["spans"]);
+    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_rays_ask"), sort.items(), desc.rays,
+                    rays, scratch["spans"], scratch["asked"]);
+    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_rays_keys"), sort.items(), desc.rays,
+                    rays, scratch["spans"], scratch["asked"], scratch["sorting"],
+                    scratch["keys"], scratch["bins"]);
+    const cl_ulong order = node_count(list, 2) * (sizeof(rsh_node_group) / 4);
+    sort.run(recorder, RSH_STAGE_BUILD, scratch, desc.nodes, order);
+    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_order"), {1, 1}, list,
+                    scratch["sorting"], desc.nodes);
 }
 
 }  // namespace
@@ -82,7 +90,8 @@ rsh_levels Box::levels(cl_uint width, cl_uint height) const {
 }
 
 size_t Box::node_bytes(const rsh_levels& levels) const {
-    return node_count(levels, 2) * sizeof(rsh_node_group);
+    const size_t order = levels.is_list ? size_t{levels.width[0]} + 1 : 0;
+    return node_count(levels, 2) * sizeof(rsh_node_group) + order * sizeof(cl_uint);
 }
 
 size_t Box::scene_bytes(const rsh_geometry& geometry) const {
@@ -93,12 +102,17 @@ size_t Box::scene_bytes(const rsh_geometry& geometry) const {
 }
 
 Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
-    const Sorting sorting = sorting_of(context, geometry.triangle_count);
     Layout layout(context.caps.alignment);
-    layout.add_array<rsh_scene_extent>("extents", sorting.items);
-    layout.add_array<cl_uint>("bins", sorting.bins());
-    layout.add_array<cl_uint>("keys", geometry.triangle_count);
-    layout.add_array<cl_uint>("sorted", geometry.triangle_count);
+    sort_of_triangles(context, geometry.triangle_count).reserve(layout);
+    return layout;
+}
+
+Layout Box::build_scratch(const Context& context, const rsh_levels& levels) const {
+    Layout layout(context.caps.alignment);
+    if (!levels.is_list) return layout;
+    const Sort sort = sort_of_rays(context, levels);
+    layout.add_array<cl_uint>("asked", 2 * sort.items().items);
+    sort.reserve(layout);
     return layout;
 }
 
@@ -119,6 +133,8 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {
     const rsh_levels shape = levels(desc.width, desc.height);
+    const Scratch scratch(recorder, build_scratch(recorder.context(), shape), desc.scratch);
+    if (shape.is_list) order_rays(recorder, desc, shape, scratch);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_blocks"),
                     recorder.serial_range(node_count(shape, 2)), shape, desc.rays,
                     desc.converging, desc.nodes);

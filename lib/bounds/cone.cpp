@@ -30,6 +30,10 @@ Layout Cone::bound_scratch(const Context& context, const rsh_geometry&) const {
     return Layout(context.caps.alignment);
 }
 
+Layout Cone::build_scratch(const Context& context, const rsh_levels&) const {
+    return Layout(context.caps.alignment);
+}
+
 void Cone::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_BOUND, {"program_traverse", "rsh_bound"},

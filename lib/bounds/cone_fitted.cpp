@@ -30,6 +30,10 @@ Layout ConeFitted::bound_scratch(const Context& context, const rsh_geometry&) co
     return Layout(context.caps.alignment);
 }
 
+Layout ConeFitted::build_scratch(const Context& context, const rsh_levels&) const {
+    return Layout(context.caps.alignment);
+}
+
 void ConeFitted::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_BOUND, kernel("rsh_bound"),

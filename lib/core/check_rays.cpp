@@ -41,8 +41,9 @@ void check_buffers(const Context& context, const rsh_build_desc& desc) {
     const Bound& bound = find_bound(desc.bound);
     check_buffer(context, "rays", desc.rays,
                  ray_count(desc.width, desc.height) * sizeof(rsh_ray));
-    check_buffer(context, "nodes", desc.nodes,
-                 bound.node_bytes(bound.levels(desc.width, desc.height)));
+    const rsh_levels levels = bound.levels(desc.width, desc.height);
+    check_buffer(context, "nodes", desc.nodes, bound.node_bytes(levels));
+    check_scratch(context, desc.scratch, bound.build_scratch(context, levels).bytes());
 }
 
 void check_shape(const rsh_traverse_desc& desc) {

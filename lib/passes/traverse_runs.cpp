@@ -79,8 +79,9 @@ void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_intersect_runs"),
                     recorder.serial_range(node_count(shape, 2)), shape, mesh_of(geometry),
                     geometry.vertices, geometry.indices, desc.rays,
-                    box_levels(geometry.triangle_count), desc.bounds, streams.triangles[1],
-                    streams.runs, desc.hits, desc.occlusion, occlusion_mask(desc));
+                    box_levels(geometry.triangle_count), desc.bounds, desc.nodes,
+                    streams.triangles[1], streams.runs, desc.hits, desc.occlusion,
+                    occlusion_mask(desc));
 }
 
 void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper) {

@@ -188,7 +188,7 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
     };
     takes(valid_.rasterize(), 176);
     takes(valid_.bound(), 80);
-    takes(valid_.build(), 40);
+    takes(valid_.build(), 48);
     takes(valid_.traverse(), 160);
     takes(valid_.frame(), 160);
     takes(valid_.reduce(), 72);

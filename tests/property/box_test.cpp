@@ -36,20 +36,27 @@ bool contains(const oracle::BoxNode& node, const rsh_ray& ray, bool converging) 
                                               Float3(-d.x, -d.y, -d.z));
 }
 
+void expect_permutation(std::vector<uint32_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    for (uint32_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], i);
+}
+
 void expect_contains_all(const Rays& rays, bool converging) {
     const auto built = test::build_nodes(rays, RSH_BOUND_BOX, converging);
     const auto groups = test::nodes_of<rsh_node_group>(built);
     const rsh_levels& l = built.levels;
     ASSERT_EQ(l.count, 2u);
-    ASSERT_EQ(groups.size(), size_t(l.width[2]) * l.height[2]);
-    for (uint32_t tile = 0; tile < groups.size(); ++tile)
+    const test::RayOrder order = test::ray_order(built);
+    expect_permutation(order.rays);
+    for (uint32_t tile = 0; tile < l.width[2] * l.height[2]; ++tile)
         for (uint32_t k = 0; k < 16; ++k) {
             const oracle::BoxNode node = oracle::child_of(groups[tile], k);
             EXPECT_EQ(groups[tile].is_converging[k], uint32_t(converging));
             uint32_t x, y;
             bool active = false;
             if (test::child_of(l, 1, tile, k, &x, &y) >= 0)
-                for (const size_t i : test::rays_below(l, 1, x, y)) {
+                for (const size_t place : test::rays_below(l, 1, x, y)) {
+                    const uint32_t i = order.rays[place];
                     if (!test::is_active(rays.rays[i])) continue;
                     active = true;
                     ASSERT_TRUE(contains(node, rays.rays[i], converging))
@@ -144,11 +151,6 @@ bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& be
                   above.high[axis][k] >= below.high[axis][b]))
                 return false;
     return true;
-}
-
-void expect_permutation(std::vector<uint32_t> numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    for (uint32_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], i);
 }
 
 void expect_clusters(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
@@ -272,6 +274,69 @@ TEST(BoxSizes, ContainRaysInGridsOfAnyShape) {
         expect_contains_all(test::random_rays(random, shape[0], shape[1]), false);
     }
     expect_contains_all(test::converging_rays(random, 61, 47, {0.2f, 0.9f, 0.1f}), true);
+}
+
+// Rays that leave a sheet of n x n points, as a mirror's do; every 16th is inactive.
+Rays sheet_of_rays(uint32_t n) {
+    Rays rays = {std::vector<rsh_ray>(size_t(n) * n), n * n, 1};
+    for (uint32_t i = 0; i < n * n; ++i) {
+        const float x = float(i % n) / n, y = float(i / n) / n;
+        rays.rays[i] = test::make_ray(Float3(x, y, 0), Float3(x - 0.5f, y - 0.5f, 1));
+        if (i % 16 == 15) rays.rays[i].direction_tmax.s[3] = -1;
+    }
+    return rays;
+}
+
+// Longest side of a block's box of origins, on the average of those that hold rays.
+float mean_side(const test::BuiltNodes& built) {
+    float sum = 0;
+    int count = 0;
+    for (const rsh_node_group& group : test::nodes_of<rsh_node_group>(built))
+        for (uint32_t k = 0; k < 16; ++k) {
+            const oracle::BoxNode node = oracle::child_of(group, k);
+            if (node.tmax < 0) continue;
+            sum += max_norm(node.origin_high - node.origin_low);
+            ++count;
+        }
+    return sum / float(count);
+}
+
+TEST(RayOrder, SortsListsWithoutNeighbours) {
+    test::Random random(9);
+    Rays rays = sheet_of_rays(test::small() ? 32 : 128);
+    for (size_t i = rays.rays.size() - 1; i > 0; --i)
+        std::swap(rays.rays[i], rays.rays[random.below(uint32_t(i + 1))]);
+    const auto built = test::build_nodes(rays, RSH_BOUND_BOX, false);
+    const test::RayOrder order = test::ray_order(built);
+    EXPECT_TRUE(order.is_sorted);
+    expect_permutation(order.rays);
+    expect_contains_all(rays, false);
+    EXPECT_LT(mean_side(built), test::small() ? 0.25f : 0.1f);
+    const size_t active = rays.rays.size() / 16 * 15;
+    for (size_t i = 0; i < order.rays.size(); ++i)
+        ASSERT_EQ(test::is_active(rays.rays[order.rays[i]]), i < active) << "place " << i;
+}
+
+TEST(RayOrder, LeavesListsOfNeighboursAlone) {
+    const Rays rays = sheet_of_rays(test::small() ? 80 : 128);
+    EXPECT_FALSE(test::ray_order(test::build_nodes(rays, RSH_BOUND_BOX, false)).is_sorted);
+    expect_contains_all(rays, false);
+}
+
+// Nothing but directions tells such rays apart.
+TEST(RayOrder, SortsRaysFromOnePointByTheirOctant) {
+    test::Random random(10);
+    Rays rays = {std::vector<rsh_ray>(1024), 1024, 1};
+    for (rsh_ray& ray : rays.rays) ray = test::make_ray(Float3(1, 2, 3), random.direction());
+    const test::RayOrder order = test::ray_order(test::build_nodes(rays, RSH_BOUND_BOX, false));
+    EXPECT_TRUE(order.is_sorted);
+    int changes = 0;
+    for (size_t i = 1; i < order.rays.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            changes += (rays.rays[order.rays[i]].direction_tmax.s[axis] < 0) !=
+                       (rays.rays[order.rays[i - 1]].direction_tmax.s[axis] < 0);
+    EXPECT_EQ(changes, 4 + 2 + 1 + 4);  // of 8 octants in turn, bit by bit
+    expect_contains_all(rays, false);
 }
 
 }  // namespace

@@ -51,10 +51,10 @@ void add_ordinary(std::vector<NamedCase>& cases) {
 }
 
 void add_adversarial(std::vector<NamedCase>& cases) {
-    cases.push_back({"Strewn", [](Random& r) {
-                         return Case{random_soup(r, tris(4000), 0.02f),
-                                     pinhole_rays(size(64), size(48))};
-                     }});
+    cases.push_back(
+        {"Strewn", [](Random& r) {
+             return Case{random_soup(r, tris(4000), 0.02f), pinhole_rays(size(64), size(48))};
+         }});
     cases.push_back({"Axes", [](Random& r) {
                          return Case{grid(small() ? 4 : 16), axis_rays(r, size(64), size(40))};
                      }});

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <memory>
+#include <numeric>
 
 namespace test {
 namespace {
@@ -113,6 +114,22 @@ BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging) {
     made.bytes = nodes.read();
     expect_guards(nodes.guards_intact(), "nodes");
     return made;
+}
+
+RayOrder ray_order(const BuiltNodes& built) {
+    const rsh_levels& l = built.levels;
+    const size_t tiles = size_t(l.width[2]) * l.height[2],
+                 count = size_t(l.width[0]) * l.height[0];
+    RayOrder order = {false, std::vector<uint32_t>(count)};
+    std::iota(order.rays.begin(), order.rays.end(), 0u);
+    if (!l.is_list) return order;
+    std::vector<uint32_t> behind(count + 1);
+    std::memcpy(behind.data(), built.bytes.data() + tiles * sizeof(rsh_node_group),
+                behind.size() * sizeof behind[0]);
+    order.is_sorted = behind[count] != 0;
+    behind.pop_back();
+    if (order.is_sorted) order.rays = behind;
+    return order;
 }
 
 Hierarchy build(const Rays& rays) {

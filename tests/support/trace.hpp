@@ -47,6 +47,13 @@ std::vector<Node> nodes_of(const BuiltNodes& built) {
     return nodes;
 }
 
+// Of the bound `box`: the rays by their places, see rsh_levels.
+struct RayOrder {
+    bool is_sorted;
+    std::vector<uint32_t> rays;
+};
+RayOrder ray_order(const BuiltNodes& built);
+
 // Spheres of the bound `cone`.
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
 // What rsh_bound makes for the bound `box`, see kernels/scene_boxes.h.

@@ -1,0 +1,70 @@
+/* sort.h - what kernels that sort have in common: runs of elements, a work-item each, in groups
+ * of 16; and the grid that their places are on. */
+#ifndef RSH_SORT_H
+#define RSH_SORT_H
+
+#include "ray_block.h"
+
+typedef struct rsh_part {
+    uint begin, end;
+} rsh_part;
+
+static rsh_part my_groups(uint count)
+{
+    const uint groups = (count + 15) / 16, items = get_global_size(0);
+    const uint run = (groups + items - 1) / items;
+    const uint begin = min(groups, run * (uint)get_global_id(0));
+    return (rsh_part){begin, min(groups, begin + run)};
+}
+
+/* So many groups a work-item looks at before all elements get keys; those take what lies
+ * outside of these groups for their margin. */
+#define RSH_ASKED 64
+
+static uint asking_step(rsh_part groups) { return 1 + (groups.end - groups.begin) / RSH_ASKED; }
+
+static rsh_span no_span(void)
+{
+    return (rsh_span){
+        {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
+}
+
+/* What all work-items saw; each adds it up for itself. */
+static rsh_span whole_span(__global const rsh_span* spans)
+{
+    rsh_span whole = spans[0];
+    for (uint i = 1; i < get_global_size(0); ++i) {
+        for (uint axis = 0; axis < 3; ++axis) {
+            whole.low[axis] = fmin(whole.low[axis], spans[i].low[axis]);
+            whole.high[axis] = fmax(whole.high[axis], spans[i].high[axis]);
+        }
+        whole.asked += spans[i].asked;
+        whole.sparse += spans[i].sparse;
+    }
+    return whole;
+}
+
+static float longest_side(const rsh_span* span)
+{
+    float longest = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis)
+        longest = fmax(longest, span->high[axis] - span->low[axis]);
+    return longest;
+}
+
+/* Cells per unit of length, for 2^bits along the longest side. */
+static float cells_per_length(float longest, uint bits)
+{
+    const float cells = (float)((1u << bits) - 1);
+    return longest > 0.0f && isfinite(longest) ? cells / longest : 0.0f;
+}
+
+/* Cells 0 to 2^bits - 1; whatever is not a number goes to the last. */
+static uintv cell_of(floatv at, float low, float scale, uint bits)
+{
+    const floatv last = (floatv)((float)((1u << bits) - 1));
+    const floatv cell = lesser((at - low) * scale, last);
+    return as_uintv(convert_intv(greater(cell, (floatv)(0.0f))));
+}
+
+#endif
