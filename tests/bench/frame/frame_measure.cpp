@@ -81,6 +81,12 @@ private:
     std::vector<Contender> contenders_;
 };
 
+// Shuffled rays are a list.
+Size shape_of(const FrameRow& row) {
+    if (row.rays != RayKind::kShuffled) return row.size;
+    return {static_cast<cl_uint>(row.size.pixels()), 1};
+}
+
 // Returns the number of active rays.
 size_t RowRun::start(const std::vector<Column>& columns) {
     scene_.move(0.3);
@@ -100,8 +106,8 @@ size_t RowRun::start(const std::vector<Column>& columns) {
     for (const Column& column : columns) {
         contenders_.emplace_back();
         contenders_.back().column = column;
-        contenders_.back().tracer = std::make_unique<RshTracer>(device_, scene_.geometry(),
-                                                                row_.size, is_shadow_, column);
+        contenders_.back().tracer = std::make_unique<RshTracer>(
+            device_, scene_.geometry(), shape_of(row_), is_shadow_, column);
     }
     return active_rays_;
 }

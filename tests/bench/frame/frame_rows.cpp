@@ -23,7 +23,7 @@ const std::vector<ReflectorKinds>& reflectors() {
     using K = RayKind;
     static const std::vector<ReflectorKinds> all = {
         {Reflector::kSphere, "sphere", {K::kReflection, K::kShadow, K::kDiffuse}},
-        {Reflector::kFloor, "floor", {K::kReflection, K::kShadow, K::kDiffuse}},
+        {Reflector::kFloor, "floor", {K::kReflection, K::kShadow, K::kDiffuse, K::kShuffled}},
         {Reflector::kFloor45, "floor45", {K::kReflection, K::kShadow}},
         {Reflector::kSeveral, "several", {K::kReflection, K::kSecond}},
         {Reflector::kGlass, "glass", {K::kRefraction, K::kSecond}}};
@@ -35,7 +35,9 @@ bool is_quick(Reflector reflector, int64_t triangles, Size size, RayKind kind) {
     if (triangles == 80000)
         return reflector == Reflector::kSphere ||
                (reflector == Reflector::kGlass && kind == RayKind::kRefraction);
-    if (triangles == 700000) return reflector == Reflector::kFloor && kind != RayKind::kDiffuse;
+    if (triangles == 700000)
+        return reflector == Reflector::kFloor &&
+               (kind == RayKind::kReflection || kind == RayKind::kShadow);
     return triangles == 20000 && reflector == Reflector::kFloor45 &&
            kind == RayKind::kReflection;
 }
@@ -112,7 +114,8 @@ std::vector<Column> frame_columns(const Device& device) {
 // A breadth-first stream of pairs of incoherent rays takes minutes per frame.
 bool is_measured(const FrameRow& row, const Column& column) {
     const bool is_stream = column.engine_name.rfind("paper", 0) == 0;
-    return !is_stream || row.rays != RayKind::kDiffuse ||
+    const bool is_coherent = row.rays != RayKind::kDiffuse && row.rays != RayKind::kShuffled;
+    return !is_stream || is_coherent ||
            (row.size.width <= 512 && row.scene.triangles > 0 && row.scene.triangles <= 20000);
 }
 

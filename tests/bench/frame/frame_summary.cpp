@@ -89,6 +89,7 @@ void put_ratios(json& out, const Cases& cases) {
     put_least(out, "ratio_series_least", select(cases, is_of_series), "ratio_embree");
     put_mean(out, "ratio_diffuse", of_kind(cases, "diffuse"), "ratio_embree");
     put_mean(out, "ratio_second", of_kind(cases, "second"), "ratio_embree");
+    put_mean(out, "ratio_shuffled", of_kind(cases, "shuffled"), "ratio_embree");
 }
 
 Cases floor_reflections(const Cases& cases) {

@@ -2,6 +2,7 @@
 #include "frame/ray_maker.hpp"
 
 #include <algorithm>
+#include <random>
 #include <utility>
 
 #include "device_structs.hpp"
@@ -15,8 +16,8 @@ bool is_active(const rsh_ray& ray) {
 }
 
 const char* name_of(RayKind kind) {
-    constexpr const char* kNames[] = {"primary", "reflection", "refraction",
-                                      "shadow",  "second",     "diffuse"};
+    constexpr const char* kNames[] = {"primary", "reflection", "refraction", "shadow",
+                                      "second",  "diffuse",    "shuffled"};
     return kNames[static_cast<int>(kind)];
 }
 
@@ -110,6 +111,14 @@ void RayMaker::scatter(const SceneOnDevice& scene) {
                                        host_.data());
 }
 
+// Always the same order.
+void RayMaker::shuffle() {
+    std::mt19937 random(1);
+    std::shuffle(host_.begin(), host_.end(), random);
+    device_.queue().enqueueWriteBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
+                                       host_.data());
+}
+
 void RayMaker::make(const SceneOnDevice& scene, RayKind kind) {
     see(scene);
     if (kind == RayKind::kDiffuse) return scatter(scene);
@@ -120,6 +129,7 @@ void RayMaker::make(const SceneOnDevice& scene, RayKind kind) {
     }
     device_.queue().enqueueReadBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
                                       host_.data());
+    if (kind == RayKind::kShuffled) shuffle();
 }
 
 size_t RayMaker::active_count() const {

@@ -6,7 +6,15 @@
 
 namespace bench {
 
-enum class RayKind { kPrimary, kReflection, kRefraction, kShadow, kSecond, kDiffuse };
+enum class RayKind {
+    kPrimary,
+    kReflection,
+    kRefraction,
+    kShadow,
+    kSecond,
+    kDiffuse,
+    kShuffled
+};
 
 const char* name_of(RayKind kind);
 
@@ -20,7 +28,8 @@ public:
     RayMaker(const Device& device, Size size);
 
     // One ray per pixel, inactive where there is none. kSecond: the reflection of the
-    // reflection, for glass the refraction of the refraction. BLOCKS.
+    // reflection, for glass the refraction of the refraction; kShuffled: reflections in no
+    // order. BLOCKS.
     void make(const SceneOnDevice& scene, RayKind kind);
 
     Size size() const { return size_; }
@@ -33,6 +42,7 @@ private:
     void spawn(const SceneOnDevice& scene, cl_uint kind);
     void trace(const SceneOnDevice& scene);
     void scatter(const SceneOnDevice& scene);
+    void shuffle();
 
     const Device& device_;
     Size size_;

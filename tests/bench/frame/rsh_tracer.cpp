@@ -56,7 +56,7 @@ void RshTracer::make_buffers() {
     require(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
     scratch_ =
         own(std::max({bound.scratch_bytes, build.scratch_bytes, traverse.scratch_bytes}));
-    traverse_.scratch = scratch_();
+    bound_.scratch = build_.scratch = traverse_.scratch = scratch_();
     answers_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE,
                           size_.pixels() * (is_shadow_ ? sizeof(cl_uint) : sizeof(rsh_hit)));
     (is_shadow_ ? traverse_.occlusion : traverse_.hits) = answers_();
