@@ -135,9 +135,6 @@ __kernel void rsh_order_keys(rsh_mesh mesh, __global const float* vertices,
         load_corners(mesh, vertices, indices, 0, 16 * g, &corners);
         boxes_of_corners(&corners, &boxes);
         keys_of_boxes(&boxes, grid, key);
-        for (uint k = 0; k < 16 && 16 * g + k < mesh.triangle_count; ++k) {
-            keys[16 * g + k] = key[k];
-            ++own[key[k] >> grid.rest];
-        }
+        store_keys(key, g, mesh.triangle_count, grid.rest, keys, own);
     }
 }

@@ -22,6 +22,15 @@ __kernel void rsh_sort_scan(uint items, uint bin_count, __global const rsh_sorti
         }
 }
 
+static void load_keys(__global const uint* keys, uint count, uint* key)
+{
+    if (count == 16)
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            store_lanes(load_lanes(keys + RSH_WIDTH * v), key + RSH_WIDTH * v);
+    else
+        for (uint k = 0; k < count; ++k) key[k] = keys[k];
+}
+
 __kernel void rsh_sort_scatter(uint count, uint bin_count, __global const rsh_sorting* sorting,
                                __global const uint* keys, __global uint* bins,
                                __global uint* order, ulong first)
@@ -30,8 +39,19 @@ __kernel void rsh_sort_scatter(uint count, uint bin_count, __global const rsh_so
     const rsh_part mine = my_groups(count);
     const uint rest = sorting->rest;
     __global uint* own = bins + (ulong)bin_count * get_global_id(0);
-    for (uint i = 16 * mine.begin; i < min(16 * mine.end, count); ++i)
-        order[first + own[keys[i] >> rest]++] = i;
+    for (uint g = mine.begin; g < mine.end; ++g) {
+        const uint here = min(16u, count - 16 * g);
+        uint key[16];
+        load_keys(keys + 16 * g, here, key);
+        if (here == 16 && are_in_one_bin(key, rest)) {
+            __global uint* at = order + first + own[key[0] >> rest];
+            for (uint v = 0; v < RSH_VECTORS; ++v)
+                store_lanes(as_uintv(RSH_LANES) + (16 * g + RSH_WIDTH * v), at + RSH_WIDTH * v);
+            own[key[0] >> rest] += 16;
+            continue;
+        }
+        for (uint k = 0; k < here; ++k) order[first + own[key[k] >> rest]++] = 16 * g + k;
+    }
 }
 
 /* Six bits at a time. */

@@ -17,6 +17,33 @@ static rsh_part my_groups(uint count)
     return (rsh_part){begin, min(groups, begin + run)};
 }
 
+/* All of sixteen keys are in bin key[0] >> rest, as neighbours mostly are. */
+static bool are_in_one_bin(const uint* key, uint rest)
+{
+    uint other = 0;
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        const uintv bin = load_lanes(key + RSH_WIDTH * v) >> rest;
+        other |= RSH_LANE_BITS(bin != (uintv)(key[0] >> rest));
+    }
+    return !other;
+}
+
+/* Stores the keys of a group, as many as there are, and counts them in their bins. */
+static void store_keys(const uint* key, uint group, uint count, uint rest,
+                       __global uint* keys, __global uint* bins)
+{
+    if (16 * group + 16 <= count && are_in_one_bin(key, rest)) {
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            store_lanes(load_lanes(key + RSH_WIDTH * v), keys + 16 * group + RSH_WIDTH * v);
+        bins[key[0] >> rest] += 16;
+        return;
+    }
+    for (uint k = 0; k < 16 && 16 * group + k < count; ++k) {
+        keys[16 * group + k] = key[k];
+        ++bins[key[k] >> rest];
+    }
+}
+
 /* So many groups a work-item looks at before all elements get keys; those take what lies
  * outside of these groups for their margin. */
 #define RSH_ASKED 64

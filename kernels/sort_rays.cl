@@ -128,9 +128,6 @@ __kernel void rsh_rays_keys(__global const rsh_ray* rays, uint count,
         uint key[16];
         load_rays(list_of(count, g), 0, rays, &block);
         keys_of_rays(&block, &whole, key);
-        for (uint k = 0; k < 16 && 16 * g + k < count; ++k) {
-            keys[16 * g + k] = key[k];
-            ++own[key[k] >> rest];
-        }
+        store_keys(key, g, count, rest, keys, own);
     }
 }

@@ -315,7 +315,7 @@ typedef struct rsh_bound_desc {
  *          a cluster. Meshes whose triangles lie close to those before them in the index take
  *          two thirds of the time.
  * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 42 per
- *          triangle; scratch_bytes: box about 12. */
+ *          triangle; scratch_bytes: box about 9. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
