@@ -100,6 +100,10 @@ void add_adversarial(std::vector<NamedCase>& cases) {
                                   {0, 1e-12f, -1e-8f});
                          return Case{mesh, long_rays(8, 8)};
                      }});
+    cases.push_back({"CornersFromAfar", [](Random& r) {
+                         const Mesh mesh = square_triangles(r, tris(200));
+                         return Case{mesh, rays_from_afar(r, mesh, size(40) * size(40), 4096)};
+                     }});
     cases.push_back({"FarApart", [](Random&) {
                          Mesh mesh;
                          mesh.add({99, -1, 5}, {101, -1, 5}, {100, 1, 5});

@@ -148,6 +148,19 @@ Mesh degenerate_soup(Random& random, uint32_t count) {
     return mesh;
 }
 
+Mesh square_triangles(Random& random, uint32_t count) {
+    Mesh mesh;
+    for (uint32_t t = 0; t < count; ++t) {
+        const Float3 p = random.in_cube();
+        Float3 along[2];
+        const uint32_t axis = random.below(3);
+        (&along[0].x)[axis] = random.between(-0.1f, 0.1f);
+        (&along[1].x)[(axis + 1) % 3] = random.between(-0.1f, 0.1f);
+        mesh.add(p, p + along[0], p + along[1]);
+    }
+    return mesh;
+}
+
 Mesh large_next_to_tiny(Random& random, uint32_t count) {
     Mesh mesh;
     mesh.add({-1e6f, -1e6f, -1.5f}, {1e6f, -1e6f, -1.5f}, {0, 2e6f, -1.5f});

@@ -39,6 +39,9 @@ Mesh scaled(Mesh mesh, float scale, Float3 offset = {});
 // Zero area, duplicates, needles, slivers, NaN and infinite vertices, an index out of range.
 Mesh degenerate_soup(Random& random, uint32_t count);
 
+// Right-angled, along the axes, so that corners of triangles are corners of boxes.
+Mesh square_triangles(Random& random, uint32_t count);
+
 // One triangle around everything and many below 1e-4.
 Mesh large_next_to_tiny(Random& random, uint32_t count);
 

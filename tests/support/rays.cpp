@@ -164,6 +164,18 @@ Rays long_rays(uint32_t width, uint32_t height) {
     return rays;
 }
 
+Rays rays_from_afar(Random& random, const Mesh& mesh, uint32_t count, float distance) {
+    Rays rays;
+    rays.width = count;
+    for (uint32_t i = 0; i < count; ++i) {
+        Corners corners;
+        mesh.corners(random.below(mesh.triangle_count()), &corners);
+        const Float3 to = corners[random.below(3)], from = to + distance * random.direction();
+        rays.rays.push_back(make_ray(from, to - from));
+    }
+    return rays;
+}
+
 Rays far_apart_rays(uint32_t count) {
     Rays rays{{}, count, 1};
     for (uint32_t i = 0; i < count; ++i) {

@@ -60,6 +60,9 @@ Rays converging_rays(Random& random, uint32_t width, uint32_t height, Float3 lig
 Rays long_rays(uint32_t width, uint32_t height);
 
 // A list of rays along +z whose first ones start so far apart that their distance overflows.
+// A list of rays from `distance` away, each through a corner of a triangle: where the scene's
+// coordinates are small, the rays' own decide how much room a box must leave.
+Rays rays_from_afar(Random& random, const Mesh& mesh, uint32_t count, float distance);
 Rays far_apart_rays(uint32_t count);
 
 // Inactive in every way there is, between active ones; short and empty intervals, denormals.
