@@ -122,6 +122,16 @@ TEST_F(Misuse, OfBuffersOfAnotherContextIsRefused) {
                             RSH_INVALID_VALUE, {"colour", "context"});
 }
 
+TEST_F(Misuse, OfScratchForListsOfRays) {
+    auto list = valid_.build();
+    list.width *= list.height;
+    list.height = 1;
+    const test::Buffer<uint8_t> nodes(1u << 20);
+    list.nodes = nodes.get();
+    refuses<rsh_build_desc>(list, [&](auto& d) { d.scratch = short_.get(); },
+                            RSH_BUFFER_TOO_SMALL, {"scratch", "4 bytes"});
+}
+
 TEST_F(Misuse, OfReduceIsRefused) {
     using Desc = rsh_reduce_desc;
     const auto desc = valid_.reduce();

@@ -1,6 +1,7 @@
 // trace.cpp - descriptors, buffers and waiting, once for all tests.
 #include "trace.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <numeric>
@@ -109,10 +110,13 @@ BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging) {
     BuiltNodes made;
     RSH_CHECK(rsh_build_query(device().rsh, &desc, &sizes, &made.levels));
     const Buffer<uint8_t> nodes(sizes.output_bytes);
+    const Buffer<uint8_t> scratch(std::max<size_t>(sizes.scratch_bytes, 1));
     desc.nodes = nodes.get();
+    desc.scratch = scratch.get();
     RSH_CHECK(rsh_build(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
     made.bytes = nodes.read();
     expect_guards(nodes.guards_intact(), "nodes");
+    expect_guards(scratch.guards_intact(), "scratch");
     return made;
 }
 
