@@ -63,6 +63,7 @@ static void sort_by_digit(__global uint* order, uint count, __global const uint*
     uint at[RSH_DIGITS], sum = 0;
     for (uint d = 0; d < digits; ++d) at[d] = 0;
     for (uint i = 0; i < count; ++i) ++at[keys[order[i]] >> shift & (digits - 1)];
+    if (at[keys[order[0]] >> shift & (digits - 1)] == count) return; /* all have the same */
     for (uint d = 0; d < digits; ++d) {
         const uint here = at[d];
         at[d] = sum;

@@ -1,6 +1,6 @@
 // box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile
-// (build_boxes.cl); against boxes around triangles, and around runs of 16, 256, ... of them
-// (bound_boxes.cl).
+// (build_boxes.cl); against boxes around clusters of 16 triangles, and around runs of 16, 256,
+// ... of these (bound_boxes.cl).
 #pragma once
 
 #include "bounds/bound.hpp"
