@@ -28,6 +28,13 @@ typedef struct rsh_box_levels {
 } rsh_box_levels;
 RSH_ASSERT_SIZE(rsh_box_levels, 64);
 
+/* Words before the order of triangles in what rsh_bound makes for the bound `box`, and before
+ * that of a list's rays in its nodes; see scene_boxes.h and rsh_levels. */
+#define RSH_ORDER_AT(levels)                                  \
+    (sizeof(rsh_cluster) / 4 * (levels).boxes[1] +            \
+     sizeof(rsh_box_group) / 4 * (levels).group_count)
+#define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
+
 /* One level of a traversal by runs: nodes of level + 1, each with a run of triangles, hand them
  * on to their children at `level`. */
 typedef struct rsh_run_step {

@@ -24,7 +24,7 @@ static ulong box_group_at(const rsh_box_levels* levels, uint level, uint group)
 
 static ulong order_at(const rsh_box_levels* levels)
 {
-    return RSH_CLUSTER_WORDS * levels->boxes[1] + RSH_GROUP_WORDS * levels->group_count;
+    return RSH_ORDER_AT(*levels);
 }
 
 static ulong scaled_at(const rsh_box_levels* levels)

@@ -43,9 +43,7 @@ void order_triangles(Recorder& recorder, const rsh_geometry& geometry, cl_mem bo
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), sort.items(), mesh,
                     geometry.vertices, geometry.indices, cell_bits(geometry.triangle_count),
                     scratch["spans"], scratch["sorting"], scratch["keys"], scratch["bins"]);
-    const cl_ulong order = levels.boxes[1] * (sizeof(rsh_cluster) / 4) +
-                           levels.group_count * (sizeof(rsh_box_group) / 4);
-    sort.run(recorder, RSH_STAGE_BOUND, scratch, boxes, order);
+    sort.run(recorder, RSH_STAGE_BOUND, scratch, boxes, RSH_ORDER_AT(levels));
 }
 
 // sort_rays.cl: behind the groups of a list's blocks.
@@ -60,8 +58,8 @@ void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_rays_keys"), sort.items(), desc.rays,
                     rays, scratch["spans"], scratch["asked"], scratch["sorting"],
                     scratch["keys"], scratch["bins"]);
-    const cl_ulong order = node_count(list, 2) * (sizeof(rsh_node_group) / 4);
-    sort.run(recorder, RSH_STAGE_BUILD, scratch, desc.nodes, order);
+    sort.run(recorder, RSH_STAGE_BUILD, scratch, desc.nodes,
+             RSH_RAY_ORDER_AT(node_count(list, 2)));
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_order"), {1, 1}, list,
                     scratch["sorting"], desc.nodes);
 }
