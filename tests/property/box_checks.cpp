@@ -1,0 +1,176 @@
+#include "box_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../oracle/containment.hpp"
+#include "../support/compare.hpp"
+#include "../support/levels.hpp"
+
+namespace {
+
+using test::Float3;
+using test::Long3;
+using test::Rays;
+
+// box.h pads by 64u of the largest component; rounding may take a few of them away.
+constexpr long double kPad = 0x3cp-24L;
+
+bool ends_at_one(const rsh_ray& ray) {
+    return ray.direction_tmax.s[3] <= 1 && finite(test::origin(ray) + test::direction(ray));
+}
+
+bool contains(const oracle::BoxNode& node, const rsh_ray& ray, bool converging) {
+    const Float3 o = test::origin(ray), d = test::direction(ray);
+    const float tmax = ray.direction_tmax.s[3];
+    if (!converging)
+        return node.tmax >= tmax && oracle::contains(node, Long3(o), kPad * max_norm(o), d);
+    if (!ends_at_one(ray))  // anywhere, in any direction
+        return std::isinf(node.origin_high.x) && std::isinf(node.direction_low.z) &&
+               oracle::contains(node, Long3(o), 0, d);
+    return node.tmax >= 1 && oracle::contains(node, Long3(o) + Long3(d), kPad * max_norm(o),
+                                              Float3(-d.x, -d.y, -d.z));
+}
+
+bool is_empty(const rsh_box_group& group, uint32_t k) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (group.low[axis][k] != INFINITY || group.high[axis][k] != -INFINITY) return false;
+    return true;
+}
+
+// Corners of the triangle in place k; false if it is never hit.
+bool corners_of(const rsh_cluster& cluster, uint32_t k, test::Corners* corners) {
+    for (int i = 0; i < 3; ++i)
+        (*corners)[i] = {cluster.corner[i][0][k], cluster.corner[i][1][k],
+                         cluster.corner[i][2][k]};
+    return finite((*corners)[0]) && finite((*corners)[1]) && finite((*corners)[2]);
+}
+
+// Bit for bit, or at infinity where the triangle is never hit.
+::testing::AssertionResult is_triangle(const rsh_cluster& cluster, uint32_t k,
+                                       const test::Mesh& mesh, uint32_t t) {
+    test::Corners given, stored;
+    const bool is_hit = t < mesh.triangle_count() && mesh.corners(t, &given) &&
+                        finite(given[0]) && finite(given[1]) && finite(given[2]);
+    const bool is_finite = corners_of(cluster, k, &stored);
+    for (int i = 0; i < 3; ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+            const float expected = is_hit ? (&given[i].x)[axis] : INFINITY;
+            if (cluster.corner[i][axis][k] != expected)
+                return ::testing::AssertionFailure()
+                       << "triangle " << t << ", corner " << i << ", axis " << axis << ": "
+                       << cluster.corner[i][axis][k] << " instead of " << expected;
+        }
+    return (is_finite == is_hit ? ::testing::AssertionSuccess()
+                                : ::testing::AssertionFailure());
+}
+
+// The triangles, padded.
+::testing::AssertionResult holds_cluster(const rsh_box_group& above, uint32_t k,
+                                         const rsh_cluster& cluster) {
+    for (uint32_t t = 0; t < 16; ++t) {
+        test::Corners c;
+        if (!corners_of(cluster, t, &c)) continue;
+        for (const Float3& p : c) {
+            const long double pad = kPad * max_norm(p);
+            const float at[3] = {p.x, p.y, p.z};
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(above.low[axis][k] <= at[axis] - pad &&
+                      above.high[axis][k] >= at[axis] + pad))
+                    return ::testing::AssertionFailure()
+                           << "place " << t << ", axis " << axis << ": " << at[axis]
+                           << " is not inside " << above.low[axis][k] << " .. "
+                           << above.high[axis][k];
+        }
+    }
+    return ::testing::AssertionSuccess();
+}
+
+// Outside of the sizes that intersect.h takes as they are.
+bool is_scaled(const rsh_cluster& cluster) {
+    for (uint32_t t = 0; t < 16; ++t) {
+        test::Corners c;
+        if (!corners_of(cluster, t, &c)) continue;
+        const float size = std::max(max_norm(c[1] - c[0]), max_norm(c[2] - c[0]));
+        if (!(size >= 0x1p-20f && size <= 0x1p20f)) return true;
+    }
+    return false;
+}
+
+bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& below) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (uint32_t b = 0; b < 16; ++b)
+            if (!(above.low[axis][k] <= below.low[axis][b] &&
+                  above.high[axis][k] >= below.high[axis][b]))
+                return false;
+    return true;
+}
+
+void expect_clusters(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
+    expect_permutation(boxes.order);
+    for (uint32_t i = 0; i < 16 * boxes.clusters.size(); ++i) {
+        const uint32_t t = i < boxes.order.size() ? boxes.order[i] : i;
+        ASSERT_TRUE(is_triangle(boxes.clusters[i / 16], i % 16, mesh, t)) << "place " << i;
+    }
+    for (uint32_t i = 0; i < boxes.clusters.size(); ++i)
+        EXPECT_EQ((boxes.scaled[i / 16] >> i % 16 & 1) != 0, is_scaled(boxes.clusters[i]))
+            << "cluster " << i;
+}
+
+}  // namespace
+
+void expect_permutation(std::vector<uint32_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    for (uint32_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], i);
+}
+
+void expect_contains_all(const Rays& rays, bool converging) {
+    const auto built = test::build_nodes(rays, RSH_BOUND_BOX, converging);
+    const auto groups = test::nodes_of<rsh_node_group>(built);
+    const rsh_levels& l = built.levels;
+    ASSERT_EQ(l.count, 2u);
+    const test::RayOrder order = test::ray_order(built);
+    expect_permutation(order.rays);
+    for (uint32_t tile = 0; tile < l.width[2] * l.height[2]; ++tile)
+        for (uint32_t k = 0; k < 16; ++k) {
+            const oracle::BoxNode node = oracle::child_of(groups[tile], k);
+            EXPECT_EQ(groups[tile].is_converging[k], uint32_t(converging));
+            uint32_t x, y;
+            bool active = false;
+            if (test::child_of(l, 1, tile, k, &x, &y) >= 0)
+                for (const size_t place : test::rays_below(l, 1, x, y)) {
+                    const uint32_t i = order.rays[place];
+                    if (!test::is_active(rays.rays[i])) continue;
+                    active = true;
+                    ASSERT_TRUE(contains(node, rays.rays[i], converging))
+                        << "ray " << i << " of block " << k << " of tile " << tile << ": "
+                        << rays.rays[i];
+                }
+            ASSERT_TRUE(active || node.tmax < 0)
+                << "block " << k << " of tile " << tile << ", tmax " << node.tmax;
+        }
+}
+
+void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
+    expect_clusters(mesh, boxes);
+    const auto& groups = boxes.groups;
+    uint32_t below = 0, first = 0;  // groups of the level below, and of this
+    for (uint32_t count = uint32_t(boxes.clusters.size()); count > 0;) {
+        const uint32_t here = (count + 15) / 16;
+        ASSERT_LE(first + here, groups.size());
+        for (uint32_t i = 0; i < 16 * here; ++i) {
+            const rsh_box_group& group = groups[first + i / 16];
+            if (i >= count)
+                ASSERT_TRUE(is_empty(group, i % 16)) << "box " << i;
+            else if (first == 0)
+                ASSERT_TRUE(holds_cluster(group, i % 16, boxes.clusters[i])) << "box " << i;
+            else
+                ASSERT_TRUE(holds_group(group, i % 16, groups[below + i])) << "box " << i;
+        }
+        if (here == 1) break;
+        below = first;
+        first += here;
+        count = here;
+    }
+}
