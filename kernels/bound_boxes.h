@@ -10,13 +10,10 @@ typedef struct rsh_corner_rows {
     floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
 } rsh_corner_rows;
 
-/* A word per lane: base[stride * element], element below count. See RSH_LANE_BITS for why. */
+/* A word per lane: base[stride * element], element below count. */
 static floatv gather(__global const float* base, uintv element, uint stride, uint count)
 {
     if (count == 0) return (floatv)(INFINITY);
-#ifdef RSH_GATHER
-    if ((ulong)stride * count < 0x80000000ul) return RSH_GATHER(base, element * stride);
-#endif
     uint number[RSH_WIDTH];
     float lane[RSH_WIDTH];
     store_lanes(element, number);
@@ -71,10 +68,45 @@ static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
     }
 }
 
+#ifdef RSH_GATHER
+/* The same for 16 triangles that are all sound, as nearly always: none missing, all of their
+ * vertices there and finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
+static bool load_sound_corners(rsh_mesh mesh, __global const float* vertices,
+                               __global const uint* indices, __global const uint* order,
+                               uint first, rsh_corner_rows* corners)
+{
+    if (first + 16 > mesh.triangle_count || mesh.vertex_count == 0) return false;
+    if ((ulong)mesh.vertex_stride * mesh.vertex_count > INT_MAX) return false;
+    const uint16 words = 3u * triangles_from(mesh, order, first); /* below 2^30 */
+    __global const float* index = (__global const float*)indices +
+                                  word_offset(mesh.indices_first_low, mesh.indices_first_high);
+    vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
+    uint16 vertex[3];
+    int16 is_missing = (int16)(0);
+#pragma unroll
+    for (uint i = 0; i < 3; ++i) {
+        vertex[i] = mesh.is_indexed ? as_uint16(RSH_GATHER(index + i, words)) : words + i;
+        is_missing |= vertex[i] >= (uint16)(mesh.vertex_count);
+    }
+    if (any_lane(is_missing)) return false;
+    float16 sum = (float16)(0.0f);
+#pragma unroll
+    for (uint i = 0; i < 9; ++i) {
+        const float16 c = RSH_GATHER(vertices + i % 3, vertex[i / 3] * mesh.vertex_stride);
+        corners->row[i / 3][i % 3][0] = c;
+        sum = fma(c, (float16)(0.0f), sum); /* 0, or NaN if any is not finite */
+    }
+    return !any_lane(sum != (float16)(0.0f));
+}
+#endif
+
 static void load_corners(rsh_mesh mesh, __global const float* vertices,
                          __global const uint* indices, __global const uint* order, uint first,
                          rsh_corner_rows* corners)
 {
+#ifdef RSH_GATHER
+    if (load_sound_corners(mesh, vertices, indices, order, first, corners)) return;
+#endif
     for (uint v = 0; v < RSH_VECTORS; ++v)
         load_corners_of(mesh, vertices, indices,
                         triangles_from(mesh, order, first + RSH_WIDTH * v), v, corners);
