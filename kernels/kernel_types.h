@@ -28,11 +28,14 @@ typedef struct rsh_box_levels {
 } rsh_box_levels;
 RSH_ASSERT_SIZE(rsh_box_levels, 64);
 
-/* Words before the order of triangles in what rsh_bound makes for the bound `box`, and before
- * that of a list's rays in its nodes; see scene_boxes.h and rsh_levels. */
+/* Words before the order of triangles, and before its surveys, in what rsh_bound makes for the
+ * bound `box`, and before the order of a list's rays in its nodes; see scene_boxes.h and
+ * rsh_levels. */
 #define RSH_ORDER_AT(levels)                                  \
     (sizeof(rsh_cluster) / 4 * (levels).boxes[1] +            \
      sizeof(rsh_box_group) / 4 * (levels).group_count)
+#define RSH_SURVEYS_AT(levels) \
+    (RSH_ORDER_AT(levels) + (levels).boxes[0] + ((levels).boxes[1] + 15) / 16)
 #define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
 
 /* One level of a traversal by runs: nodes of level + 1, each with a run of triangles, hand them
@@ -71,6 +74,15 @@ typedef struct rsh_span {
     rsh_uint asked, sparse; /* runs of 16; those that are no neighbours */
 } rsh_span;
 RSH_ASSERT_SIZE(rsh_span, 32);
+
+/* Surfaces of boxes at a place of an order of triangles, added up: around triangles, around
+ * clusters, and around all of that place; see order_survey.h. */
+#define RSH_SURVEYS 20
+#define RSH_SURVEYS_PER_STEP 4
+typedef struct rsh_survey {
+    rsh_float triangles, clusters, run;
+} rsh_survey;
+RSH_ASSERT_SIZE(rsh_survey, 12);
 
 /* Bins of order_triangles.cl, by cells of 2^-bits of the scene: cells for large triangles, four
  * times as long, then those for the others. */

@@ -1,14 +1,16 @@
-/* order_triangles.cl - keys for the order in which triangles make clusters, remade every frame:
- * along Hilbert's curve, the few that are large against the scene first, lest every box that
- * holds one of them among small ones becomes large.
+/* order_triangles.cl - keys for the order in which triangles make clusters: along Hilbert's
+ * curve, the few that are large against the scene first, lest every box that holds one of them
+ * among small ones becomes large.
  *   vertices, indices  in   triangles
  *   sorting, keys      out  for sort.cl, and how many triangles are in each of its bins, cells
+ *   is_update, now,    in   1: the order that `boxes` hold stays if it serves (order_survey.h)
+ *   boxes
  * Where runs of 16 triangles are compact as they come, as in most meshes, they stay in their
  * order within a cell. Where they are not, each cell is sorted on. The device decides. A
  * work-item has a run of the triangles.
  */
-#include "bound_boxes.h"
 #include "hilbert.h"
+#include "order_survey.h"
 #include "sort.h"
 
 /* Longest side of a large triangle's box, of that of the scene. */
@@ -22,34 +24,11 @@
  * part by part. */
 #define RSH_SPARSE 1.5f
 
-static float surface_of(const float* low, const float* high)
-{
-    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x >= 0.0f ? x * y + y * z + z * x : 0.0f;
-}
-
-/* Of boxes that hold something, added up. */
-static float surface_of_boxes(const rsh_boxes* boxes)
-{
-    float total = 0.0f;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        floatv side[3];
-        for (uint axis = 0; axis < 3; ++axis)
-            side[axis] = boxes->high[axis][v] - boxes->low[axis][v];
-        const floatv surface = side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
-        float lane[RSH_WIDTH];
-        store_lanes(select((floatv)(0.0f), surface, side[0] >= (floatv)(0.0f)), lane);
-        for (uint k = 0; k < RSH_WIDTH; ++k) total += lane[k];
-    }
-    return total;
-}
-
 static void ask_group(const rsh_boxes* boxes, rsh_span* span)
 {
-    float low[3], high[3];
+    float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    add_boxes(boxes, low, high);
     for (uint axis = 0; axis < 3; ++axis) {
-        low[axis] = smallest_lane(boxes->low[axis]);
-        high[axis] = largest_lane(boxes->high[axis]);
         span->low[axis] = fmin(span->low[axis], low[axis]);
         span->high[axis] = fmax(span->high[axis], high[axis]);
     }
@@ -57,10 +36,34 @@ static void ask_group(const rsh_boxes* boxes, rsh_span* span)
     span->sparse += surface_of(low, high) > RSH_SPARSE * surface_of_boxes(boxes);
 }
 
-__kernel void rsh_order_measure(rsh_mesh mesh, __global const float* vertices,
-                                __global const uint* indices,
-                                __global rsh_span* spans)
+/* Looks at the order that `boxes` hold; if `is_record`, only at one that was made just now. */
+__kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
+                               __global const uint* indices, rsh_box_levels shape,
+                               uint is_record, __global const rsh_sorting* sorting,
+                               __global const float* boxes, __global float* surveys, ulong first)
 {
+    const rsh_box_levels levels = shape;
+    const uint me = get_global_id(0);
+    if (me >= RSH_SURVEYS || (is_record && !sorting->is_needed)) return;
+    ((__global rsh_survey*)(surveys + first))[me] =
+        survey_at(me, mesh, vertices, indices, (__global const uint*)boxes + order_at(&levels),
+                  levels.boxes[1]);
+}
+
+static bool keeps_order(uint is_update, __global const rsh_survey* now,
+                        __global const float* boxes, const rsh_box_levels* levels)
+{
+    return is_update &&
+           order_serves(now, (__global const rsh_survey*)(boxes + surveys_at(levels)));
+}
+
+__kernel void rsh_order_measure(rsh_mesh mesh, __global const float* vertices,
+                                __global const uint* indices, rsh_box_levels shape,
+                                uint is_update, __global const rsh_survey* now,
+                                __global const float* boxes, __global rsh_span* spans)
+{
+    const rsh_box_levels levels = shape;
+    if (keeps_order(is_update, now, boxes, &levels)) return;
     const rsh_part mine = my_groups(mesh.triangle_count);
     rsh_span span = no_span();
     for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
@@ -118,11 +121,18 @@ static void keys_of_boxes(const rsh_boxes* boxes, rsh_grid grid, uint* keys)
 
 /* Keys of all triangles, and how many are in each cell. */
 __kernel void rsh_order_keys(rsh_mesh mesh, __global const float* vertices,
-                             __global const uint* indices, uint cell_bits,
+                             __global const uint* indices, rsh_box_levels shape,
+                             uint is_update, __global const rsh_survey* now,
+                             __global const float* boxes, uint cell_bits,
                              __global const rsh_span* spans,
                              __global rsh_sorting* sorting, __global uint* keys,
                              __global uint* bins)
 {
+    const rsh_box_levels levels = shape;
+    if (keeps_order(is_update, now, boxes, &levels)) {
+        if (get_global_id(0) == 0) *sorting = (rsh_sorting){0, 0};
+        return;
+    }
     const rsh_part mine = my_groups(mesh.triangle_count);
     const rsh_grid grid = grid_of(spans, cell_bits);
     if (get_global_id(0) == 0) *sorting = (rsh_sorting){1, grid.rest};

@@ -5,6 +5,7 @@
  *             level 1 is around cluster i, that of level l + 1 around group i of level l
  *   order     a word per triangle: its number, by its place in the clusters
  *   scaled    a word per 16 clusters, a bit each: it has triangles that intersect.h scales
+ *   surveys   RSH_SURVEYS x rsh_survey, of the order when it was made
  */
 #ifndef RSH_SCENE_BOXES_H
 #define RSH_SCENE_BOXES_H
@@ -30,6 +31,11 @@ static ulong order_at(const rsh_box_levels* levels)
 static ulong scaled_at(const rsh_box_levels* levels)
 {
     return order_at(levels) + levels->boxes[0];
+}
+
+static ulong surveys_at(const rsh_box_levels* levels)
+{
+    return RSH_SURVEYS_AT(*levels);
 }
 
 #endif

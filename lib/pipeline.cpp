@@ -27,7 +27,7 @@ public:
 
     void render() {
         rasterize(recorder_, memory_.rasterize());
-        if (memory_.bound().bounds) bound(recorder_, memory_.bound());
+        if (memory_.traces_rays()) bound(recorder_, memory_.bound());
         begin_image();
         shade_wave(0);
         spawn_waves(0);

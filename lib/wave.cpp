@@ -32,11 +32,6 @@ rsh_rasterize_desc rasterize_of(const rsh_frame_desc& desc) {
     return pass;
 }
 
-const Bound& bound_of(const rsh_frame_desc& desc) {
-    if (desc.bound != RSH_BOUND_DEFAULT) return find_bound(desc.bound);
-    return find_bound(find_engine(desc.engine).preferred_bound());
-}
-
 rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     rsh_traverse_desc pass = {};
     pass.struct_size = sizeof pass;
@@ -44,7 +39,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     pass.width = desc.width;
     pass.height = desc.height;
     pass.engine = desc.engine;
-    pass.bound = bound_of(desc).id();
+    pass.bound = frame_bound(desc).id();
     pass.strategy = desc.strategy;
     pass.budget = desc.budget;
     return pass;
@@ -52,9 +47,10 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
 
 // What rays below the camera's need, and only if there are any.
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
-    const Bound& bound = bound_of(desc);
-    layout.add("bounds", bound.scene_bytes(desc.scene->geometry));
-    layout.add("bound scratch", bound.bound_scratch(context, desc.scene->geometry).bytes());
+    const Bound& bound = frame_bound(desc);
+    const rsh_geometry& geometry = desc.scene->geometry;
+    if (!desc.bounds) layout.add("bounds", bound.scene_bytes(geometry));
+    layout.add("bound scratch", bound.bound_scratch(context, geometry).bytes());
     const rsh_levels levels = bound.levels(desc.width, desc.height);
     layout.add("nodes", bound.node_bytes(levels));
     layout.add("build scratch", bound.build_scratch(context, levels).bytes());
@@ -64,6 +60,11 @@ void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc&
 }
 
 }  // namespace
+
+const Bound& frame_bound(const rsh_frame_desc& desc) {
+    if (desc.bound != RSH_BOUND_DEFAULT) return find_bound(desc.bound);
+    return find_bound(find_engine(desc.engine).preferred_bound());
+}
 
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
     const size_t pixels = size_t{desc.width} * desc.height;
@@ -90,6 +91,14 @@ cl_mem FrameMemory::at(const char* name, cl_uint bounce) const {
     return scratch_[numbered(name, bounce)];
 }
 
+cl_mem FrameMemory::bounds() const {
+    return desc_.bounds ? desc_.bounds : scratch_["bounds"];
+}
+
+bool FrameMemory::traces_rays() const {
+    return needs_shadows(desc_) || needs_bounces(desc_);
+}
+
 bool FrameMemory::casts_shadows() const {
     return needs_shadows(desc_);
 }
@@ -103,19 +112,24 @@ rsh_rasterize_desc FrameMemory::rasterize() const {
 }
 
 rsh_bound_desc FrameMemory::bound() const {
-    return {sizeof(rsh_bound_desc), desc_.scene->geometry, bound_of(desc_).id(),
-            scratch_["bounds"], scratch_["bound scratch"]};
+    return {sizeof(rsh_bound_desc),    desc_.scene->geometry, frame_bound(desc_).id(), bounds(),
+            scratch_["bound scratch"], desc_.update};
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
-    return {sizeof(rsh_build_desc), at("rays", bounce),       desc_.width,
-            desc_.height,           scratch_["nodes"],        0,
-            bound_of(desc_).id(),   scratch_["build scratch"]};
+    return {sizeof(rsh_build_desc),
+            at("rays", bounce),
+            desc_.width,
+            desc_.height,
+            scratch_["nodes"],
+            0,
+            frame_bound(desc_).id(),
+            scratch_["build scratch"]};
 }
 
 rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
     rsh_traverse_desc pass = traverse_of(desc_);
-    pass.bounds = scratch_["bounds"];
+    pass.bounds = bounds();
     pass.rays = at("rays", bounce);
     pass.nodes = scratch_["nodes"];
     pass.hits = at("hits", bounce);
@@ -167,7 +181,7 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
             desc_.height,
             scratch_["nodes"],
             desc_.scene->positional_lights >> light & 1,
-            bound_of(desc_).id(),
+            frame_bound(desc_).id(),
             scratch_["build scratch"]};
 }
 

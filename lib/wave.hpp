@@ -12,6 +12,7 @@ public:
     FrameMemory(Recorder& recorder, const rsh_frame_desc& desc);
 
     cl_uint pixels() const { return desc_.width * desc_.height; }
+    bool traces_rays() const;
     bool casts_shadows() const;
 
     // Descriptors of the public calls over this frame's memory, for the wave of a bounce.
@@ -32,6 +33,7 @@ public:
 
 private:
     cl_mem at(const char* name, cl_uint bounce) const;
+    cl_mem bounds() const;
 
     rsh_frame_desc desc_;
     Scratch scratch_;

@@ -33,18 +33,43 @@ Sort sort_of_rays(const Context& context, const rsh_levels& list) {
 }
 
 // order_triangles.cl.
-void order_triangles(Recorder& recorder, const rsh_geometry& geometry, cl_mem boxes,
-                     const Scratch& scratch) {
-    const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    const Sort sort = sort_of_triangles(recorder.context(), geometry.triangle_count);
-    const rsh_mesh mesh = mesh_of(geometry);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_measure"), sort.items(), mesh,
-                    geometry.vertices, geometry.indices, scratch["spans"]);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_order_keys"), sort.items(), mesh,
-                    geometry.vertices, geometry.indices, cell_bits(geometry.triangle_count),
-                    scratch["spans"], scratch["sorting"], scratch["keys"], scratch["bins"]);
-    sort.run(recorder, RSH_STAGE_BOUND, scratch, boxes, RSH_ORDER_AT(levels));
-}
+class TriangleOrder {
+public:
+    TriangleOrder(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch)
+        : recorder_(recorder), desc_(desc), scratch_(scratch) {}
+
+    void make() const {
+        const Sort sort = sort_of_triangles(recorder_.context(), mesh_.triangle_count);
+        const cl_uint bits = cell_bits(mesh_.triangle_count);
+        if (desc_.update) survey(scratch_["surveys"], 0, false);
+        launch("rsh_order_measure", sort.items(), desc_.update, scratch_["surveys"],
+               desc_.bounds, scratch_["spans"]);
+        launch("rsh_order_keys", sort.items(), desc_.update, scratch_["surveys"], desc_.bounds,
+               bits, scratch_["spans"], scratch_["sorting"], scratch_["keys"],
+               scratch_["bins"]);
+        sort.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(levels_));
+        survey(desc_.bounds, RSH_SURVEYS_AT(levels_), true);
+    }
+
+private:
+    void survey(cl_mem surveys, cl_ulong first, bool is_record) const {
+        launch("rsh_order_survey", {RSH_SURVEYS, 1}, cl_uint{is_record}, scratch_["sorting"],
+               desc_.bounds, surveys, first);
+    }
+
+    template <class... Arguments>
+    void launch(const char* kernel, Range range, const Arguments&... arguments) const {
+        recorder_.launch(RSH_STAGE_BOUND, tiles_kernel(kernel), range, mesh_,
+                         desc_.geometry.vertices, desc_.geometry.indices, levels_,
+                         arguments...);
+    }
+
+    Recorder& recorder_;
+    const rsh_bound_desc& desc_;
+    const Scratch& scratch_;
+    const rsh_mesh mesh_ = mesh_of(desc_.geometry);
+    const rsh_box_levels levels_ = box_levels(mesh_.triangle_count);
+};
 
 // sort_rays.cl: behind the groups of a list's blocks.
 void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels& list,
@@ -96,12 +121,13 @@ size_t Box::scene_bytes(const rsh_geometry& geometry) const {
     const rsh_box_levels levels = box_levels(geometry.triangle_count);
     const size_t words = size_t{levels.boxes[0]} + groups_of(levels.boxes[1]);
     return levels.boxes[1] * sizeof(rsh_cluster) + levels.group_count * sizeof(rsh_box_group) +
-           words * sizeof(cl_uint);
+           words * sizeof(cl_uint) + RSH_SURVEYS * sizeof(rsh_survey);
 }
 
 Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
     Layout layout(context.caps.alignment);
     sort_of_triangles(context, geometry.triangle_count).reserve(layout);
+    layout.add_array<rsh_survey>("surveys", RSH_SURVEYS);
     return layout;
 }
 
@@ -119,7 +145,7 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     if (geometry.triangle_count == 0) return;
     const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
     const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    order_triangles(recorder, geometry, desc.bounds, scratch);
+    TriangleOrder(recorder, desc, scratch).make();
     recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_clusters"),
                     recorder.serial_range(groups_of(levels.boxes[1])), mesh_of(geometry),
                     geometry.vertices, geometry.indices, levels, desc.bounds);

@@ -59,11 +59,15 @@ void check_shape(const rsh_frame_desc& desc) {
     if (desc.bound != RSH_BOUND_DEFAULT) check_bound(engine, desc.bound);
     find_strategy(desc.strategy);
     check_budget(desc.budget);
+    require(desc.update <= 1, "update", desc.update, "0 or 1");
 }
 
 void check_buffers(const Context& context, const rsh_frame_desc& desc) {
     check_buffers(context, *desc.scene);
     check_buffer(context, "colour", desc.colour, cl_ulong{desc.width} * desc.height * 16);
+    require(!desc.update || desc.bounds, "update", desc.update, "0 without bounds");
+    check_optional(context, "bounds", desc.bounds,
+                   frame_bound(desc).scene_bytes(desc.scene->geometry));
     check_scratch(context, desc.scratch, frame_scratch(context, desc).bytes());
 }
 

@@ -89,6 +89,7 @@ void check_buffers(const Context& context, const rsh_scene& scene) {
 void check_shape(const rsh_bound_desc& desc) {
     check_shape(desc.geometry);
     find_bound(desc.bound);
+    require(desc.update <= 1, "update", desc.update, "0 or 1");
 }
 
 void check_buffers(const Context& context, const rsh_bound_desc& desc) {

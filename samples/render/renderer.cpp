@@ -31,7 +31,21 @@ Renderer::Renderer(const Device& device, World& world, const RenderSettings& set
       scene_(device, world, settings.without),
       colour_(device.buffer(size_t{16} * settings.size.x * settings.size.y)),
       frame_{settings.size.x, settings.size.y,
-             std::vector<float>(size_t{4} * settings.size.x * settings.size.y)} {}
+             std::vector<float>(size_t{4} * settings.size.x * settings.size.y)} {
+    make_bounds();
+}
+
+// Kept from frame to frame, so that the order of the triangles is not made anew for each.
+void Renderer::make_bounds() {
+    rsh_bound_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.geometry = scene_.scene().geometry;
+    desc.bound = settings_.bound ? settings_.bound : rsh_engine_bound(settings_.engine);
+    rsh_sizes sizes{};
+    sizes.struct_size = sizeof sizes;
+    require(rsh_bound_query(device_.rsh(), &desc, &sizes), "rsh_bound_query");
+    if (sizes.output_bytes > 0) bounds_ = device_.buffer(sizes.output_bytes);
+}
 
 rsh_frame_desc Renderer::frame_desc() const {
     const glm::vec2 size(settings_.size);
@@ -48,6 +62,8 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.strategy = settings_.strategy;
     desc.budget = settings_.budget;
     desc.colour = colour_();
+    desc.bounds = bounds_();
+    desc.update = has_bounds_;
     return desc;
 }
 
@@ -69,6 +85,7 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user) {
     require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, &done()),
             "rsh_frame");
     done.wait();
+    has_bounds_ = bounds_() != nullptr;
     measure.total_ms = watch.lap();
 
     measure.statistics.struct_size = sizeof measure.statistics;

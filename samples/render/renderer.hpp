@@ -39,11 +39,14 @@ public:
     rsh_frame_desc frame_desc() const;
 
 private:
+    void make_bounds();
+
     const Device& device_;
     World& world_;
     RenderSettings settings_;
     DeviceScene scene_;
-    cl::Buffer colour_;
+    cl::Buffer colour_, bounds_;
+    bool has_bounds_ = false;  // of an earlier frame
     Frame frame_;
 };
 

@@ -102,6 +102,8 @@ TEST_F(Queries, OfRasterizeBoundAndBuildRefuseWhatTheCallsRefuse) {
                             [](auto& d) { d.geometry.triangle_count = 1u << 28; });
     refuses<rsh_build_desc>(valid_.build(), "width", [](auto& d) { d.width = 16385; });
     refuses<rsh_build_desc>(valid_.build(), "converging", [](auto& d) { d.converging = 2; });
+    refuses<rsh_bound_desc>(valid_.bound(), "update", [](auto& d) { d.update = 2; });
+    refuses<rsh_frame_desc>(valid_.frame(), "update", [](auto& d) { d.update = 2; });
 }
 
 TEST_F(Queries, OfReductionsRefuseWhatReductionsRefuse) {
@@ -187,10 +189,10 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
         EXPECT_EQ(sizes.struct_size, 24u);
     };
     takes(valid_.rasterize(), 176);
-    takes(valid_.bound(), 80);
+    takes(valid_.bound(), 88);
     takes(valid_.build(), 48);
     takes(valid_.traverse(), 160);
-    takes(valid_.frame(), 160);
+    takes(valid_.frame(), 176);
     takes(valid_.reduce(), 72);
     EXPECT_EQ(sizeof(rsh_geometry), 48u);
     EXPECT_EQ(sizeof(rsh_camera), 64u);

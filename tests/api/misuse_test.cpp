@@ -122,6 +122,14 @@ TEST_F(Misuse, OfBuffersOfAnotherContextIsRefused) {
                             RSH_INVALID_VALUE, {"colour", "context"});
 }
 
+TEST_F(Misuse, OfBoundsThatAFrameUpdates) {
+    const auto desc = valid_.frame();
+    refuses<rsh_frame_desc>(desc, [](auto& d) { d.update = 1; }, RSH_INVALID_VALUE,
+                            {"update", "1", "0 without bounds"});
+    refuses<rsh_frame_desc>(desc, [&](auto& d) { d.bounds = short_.get(); },
+                            RSH_BUFFER_TOO_SMALL, {"bounds", "4 bytes"});
+}
+
 TEST_F(Misuse, OfScratchForListsOfRays) {
     auto list = valid_.build();
     list.width *= list.height;

@@ -78,6 +78,20 @@ TEST_P(Engine, FindsTheSameHitsWithEveryBudget) {
     }
 }
 
+// Whether the order of the earlier frame serves or not.
+TEST_P(Engine, FindsTheHitsOfBruteForceAfterAnUpdate) {
+    const Case c = make_case();
+    test::Random random(16);
+    test::Mesh moved = c.mesh;
+    for (test::Float3& v : moved.vertices) v = v + 0.01f * max_norm(v) * random.direction();
+    const DeviceMesh then(c.mesh), now(moved);
+    TraceOptions way;
+    way.own_bounds = true;
+    way.earlier = &then;
+    EXPECT_TRUE(test::same_bits(closest_hits(now, c.rays, way),
+                                closest_hits(now, c.rays, brute_force()), "hits"));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Engine, ::testing::ValuesIn(test::all_cases()), test::case_name);
 
 }  // namespace

@@ -127,6 +127,28 @@ TEST(Frame, GivesTheSameBytesTwiceInAnySize) {
     }
 }
 
+TEST(Frame, GivesTheSameBytesWithBoundsThatItUpdates) {
+    const test::DeviceScene scene(test::gallery());
+    FrameOptions options = sized(72, 56, 2);
+    const auto expected = test::frame(scene, options);
+    rsh_bound_desc bound = {};
+    bound.struct_size = sizeof bound;
+    bound.geometry = scene.desc.geometry;
+    bound.bound = RSH_BOUND_BOX;
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    RSH_CHECK(rsh_bound_query(test::device().rsh, &bound, &sizes));
+    const test::Bytes bounds(sizes.output_bytes);
+    options.bounds = bounds.get();
+    for (options.update = 0; options.update <= 1; ++options.update)
+        for (const bool own_scratch : {false, true}) {
+            options.own_scratch = own_scratch;
+            EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
+                << "update " << options.update;
+            EXPECT_TRUE(bounds.guards_intact());
+        }
+}
+
 TEST(Frame, GivesTheSameBytesWithEveryEngineStrategyAndBudget) {
     const test::DeviceScene scene(test::gallery());
     FrameOptions options = sized(72, 56, 2);

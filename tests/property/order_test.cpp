@@ -88,6 +88,77 @@ TEST(BoxOrder, PutsLargeTrianglesTogether) {
         EXPECT_EQ(boxes.order[i] % 40 == 39, i < large) << "place " << i;
 }
 
+// The way of a walker who turns at random.
+std::vector<Float3> random_walk(test::Random& random, uint32_t count) {
+    std::vector<Float3> points = {Float3(0, 0, 0)};
+    while (points.size() < count) points.push_back(points.back() + 0.02f * random.direction());
+    return points;
+}
+
+std::vector<Float3> shuffled(std::vector<Float3> points, test::Random& random) {
+    for (size_t i = points.size() - 1; i > 0; --i)
+        std::swap(points[i], points[random.below(uint32_t(i + 1))]);
+    return points;
+}
+
+void expect_new_order(const std::vector<Float3>& points, const std::vector<Float3>& earlier) {
+    const test::Mesh mesh = triangles_at(points);
+    const test::DeviceMesh now(mesh), then(triangles_at(earlier));
+    const test::SceneBoxes boxes = test::updated_boxes({&then, &now})[1];
+    EXPECT_EQ(boxes.order, test::bound_boxes(now).order);
+    expect_contained(mesh, boxes);
+}
+
+TEST(BoxOrder, IsKeptWhereTrianglesMoveTogether) {
+    test::Random random(12);
+    std::vector<Float3> points = random_walk(random, test::small() ? 700 : 20000);
+    const test::DeviceMesh then(triangles_at(points));
+    for (Float3& p : points)
+        p = Float3(0.9f * p.y, 0.9f * p.x, p.z + 5 + 0.001f * random.unit());
+    const test::Mesh moved = triangles_at(points);
+    const test::DeviceMesh now(moved);
+    const std::vector<test::SceneBoxes> frames = test::updated_boxes({&then, &now});
+    EXPECT_EQ(frames[1].order, frames[0].order);
+    EXPECT_NE(frames[1].order, test::bound_boxes(now).order);
+    expect_contained(moved, frames[1]);
+}
+
+TEST(BoxOrder, IsMadeAnewWhereTrianglesPart) {
+    test::Random random(13);
+    const std::vector<Float3> points = random_walk(random, test::small() ? 700 : 20000);
+    expect_new_order(shuffled(points, random), points);
+}
+
+// Clusters stay as they are, but those that follow each other move apart.
+TEST(BoxOrder, IsMadeAnewWhereClustersPart) {
+    test::Random random(14);
+    const std::vector<Float3> cells = shuffled_cells(random, 16);
+    expect_new_order(fill(shuffled(cells, random), 16), fill(cells, 16));
+}
+
+// An update looks back at the frame whose order it has, not at the one before.
+TEST(BoxOrder, WearsByDegrees) {
+    test::Random random(15);
+    const std::vector<Float3> points = random_walk(random, test::small() ? 700 : 5000);
+    std::vector<Float3> drift;
+    for (size_t i = 0; i < points.size(); ++i) drift.push_back(0.002f * random.direction());
+    const auto at = [&](int frame) {
+        std::vector<Float3> now = points;
+        for (size_t i = 0; i < now.size(); ++i) now[i] = now[i] + float(frame) * drift[i];
+        return test::DeviceMesh(triangles_at(now));
+    };
+    std::vector<test::DeviceMesh> meshes;
+    for (int frame = 0; frame < 40; ++frame) meshes.push_back(at(frame));
+    std::vector<const test::DeviceMesh*> frames;
+    for (const test::DeviceMesh& mesh : meshes) frames.push_back(&mesh);
+    const std::vector<test::SceneBoxes> boxes = test::updated_boxes(frames);
+    int changes = 0;
+    for (size_t i = 1; i < boxes.size(); ++i) changes += boxes[i].order != boxes[i - 1].order;
+    EXPECT_EQ(boxes[1].order, boxes[0].order);
+    EXPECT_GE(changes, 1);
+    EXPECT_LT(changes, 10);
+}
+
 // Rays that leave a sheet of n x n points, as a mirror's do; every 16th is inactive.
 Rays sheet_of_rays(uint32_t n) {
     Rays rays = {std::vector<rsh_ray>(size_t(n) * n), n * n, 1};

@@ -39,6 +39,8 @@ struct FrameOptions {
     size_t budget = 0;
     bool own_scratch = false;
     rsh_context context = nullptr;  // null: the device's
+    cl_mem bounds = nullptr;
+    cl_uint update = 0;
 };
 
 // The gallery's camera.

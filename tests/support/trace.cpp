@@ -28,7 +28,7 @@ public:
         desc.strategy = options.strategy;
         desc.budget = options.budget;
         if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes(options.converging);
-        if (options.own_bounds) add_bounds(mesh);
+        if (options.own_bounds) add_bounds(mesh, options.earlier);
         own_scratch_ = options.own_scratch;
     }
 
@@ -66,16 +66,20 @@ private:
         RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
     }
 
-    void add_bounds(const DeviceMesh& mesh) {
+    void add_bounds(const DeviceMesh& mesh, const DeviceMesh* earlier) {
         rsh_bound_desc bound = {};
         bound.struct_size = sizeof bound;
-        bound.geometry = mesh.geometry();
+        bound.geometry = (earlier ? *earlier : mesh).geometry();
         bound.bound = desc.bound;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_bound_query(context_, &bound, &sizes));
         bounds_ = std::make_unique<Bytes>(sizes.output_bytes);
         bound.bounds = desc.bounds = bounds_->get();
+        RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
+        if (!earlier) return;
+        bound.geometry = mesh.geometry();
+        bound.update = 1;
         RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
     }
 
@@ -143,33 +147,33 @@ Hierarchy build(const Rays& rays) {
 
 namespace {
 
+// The first is made, the others are updates of it.
 template <class T>
-std::vector<T> bounds_of(const DeviceMesh& mesh, cl_uint bound) {
+std::vector<std::vector<T>> bounds_of(const std::vector<const DeviceMesh*>& frames,
+                                      cl_uint bound) {
     rsh_bound_desc desc = {};
     desc.struct_size = sizeof desc;
-    desc.geometry = mesh.geometry();
+    desc.geometry = frames[0]->geometry();
     desc.bound = bound;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
     RSH_CHECK(rsh_bound_query(device().rsh, &desc, &sizes));
     const Buffer<T> bounds(sizes.output_bytes / sizeof(T));
     desc.bounds = bounds.get();
-    RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
-    std::vector<T> made = bounds.read();
-    expect_guards(bounds.guards_intact(), "bounds");
+    std::vector<std::vector<T>> made;
+    for (const DeviceMesh* mesh : frames) {
+        desc.geometry = mesh->geometry();
+        desc.update = !made.empty();
+        RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
+        made.push_back(bounds.read());
+        expect_guards(bounds.guards_intact(), "bounds");
+    }
     return made;
 }
 
-}  // namespace
-
-std::vector<cl_float4> bound(const DeviceMesh& mesh) {
-    return bounds_of<cl_float4>(mesh, RSH_BOUND_CONE);
-}
-
-SceneBoxes bound_boxes(const DeviceMesh& mesh) {
-    const std::vector<uint32_t> words = bounds_of<uint32_t>(mesh, RSH_BOUND_BOX);
-    const uint32_t triangles = mesh.geometry().triangle_count;
+SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
     const uint32_t clusters = (triangles + 15) / 16, scaled = (clusters + 15) / 16;
+    constexpr uint32_t kSurveys = 60;
     SceneBoxes made;
     const uint32_t* at = words.data();
     const auto take = [&at](auto& items, size_t count) {
@@ -178,9 +182,26 @@ SceneBoxes bound_boxes(const DeviceMesh& mesh) {
         at += count * sizeof(items[0]) / sizeof *at;
     };
     take(made.clusters, clusters);
-    take(made.groups, (words.size() - 144 * clusters - triangles - scaled) / 96);
+    take(made.groups, (words.size() - 144 * clusters - triangles - scaled - kSurveys) / 96);
     take(made.order, triangles);
     take(made.scaled, scaled);
+    return made;
+}
+
+}  // namespace
+
+std::vector<cl_float4> bound(const DeviceMesh& mesh) {
+    return bounds_of<cl_float4>({&mesh}, RSH_BOUND_CONE)[0];
+}
+
+SceneBoxes bound_boxes(const DeviceMesh& mesh) {
+    return updated_boxes({&mesh})[0];
+}
+
+std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames) {
+    std::vector<SceneBoxes> made;
+    for (const auto& words : bounds_of<uint32_t>(frames, RSH_BOUND_BOX))
+        made.push_back(scene_boxes(words, frames[0]->geometry().triangle_count));
     return made;
 }
 

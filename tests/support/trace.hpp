@@ -64,16 +64,19 @@ struct SceneBoxes {
     std::vector<uint32_t> scaled;  // a bit per cluster
 };
 SceneBoxes bound_boxes(const DeviceMesh& mesh);
+// The same after each frame: as many triangles in each; all but the first are updates.
+std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;
     cl_uint bound = RSH_BOUND_DEFAULT;  // what the engine prefers
     cl_uint strategy = RSH_STRATEGY_DEFAULT;
     size_t budget = 0;
-    bool own_scratch = false;       // the caller's scratch instead of the context's pool
-    bool own_bounds = false;        // from rsh_bound instead of made in scratch
-    bool converging = false;        // nodes bound the rays from t = 1
-    rsh_context context = nullptr;  // null: the device's
+    bool own_scratch = false;             // the caller's scratch instead of the context's pool
+    bool own_bounds = false;              // from rsh_bound instead of made in scratch
+    const DeviceMesh* earlier = nullptr;  // own bounds were made of this one and updated
+    bool converging = false;              // nodes bound the rays from t = 1
+    rsh_context context = nullptr;        // null: the device's
 };
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

@@ -208,7 +208,8 @@ nlohmann::json RowRun::params(const Contender& contender) const {
             {"rays", name_of(row_.rays)},
             {"active_rays", active_rays_},
             {"engine", contender.column.engine_name},
-            {"bound", contender.column.bound_name}};
+            {"bound", contender.column.bound_name},
+            {"updated", contender.column.is_updated}};
 }
 
 void RowRun::put_times(const Contender& c, nlohmann::json& metrics) const {

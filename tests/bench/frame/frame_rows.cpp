@@ -108,6 +108,8 @@ std::vector<Column> frame_columns(const Device& device) {
             if (engine != RSH_ENGINE_BRUTE_FORCE && takes(device, engine, bound))
                 columns.push_back(
                     {engine, bound, rsh_engine_name(engine), rsh_bound_name(bound)});
+    columns.push_back({RSH_ENGINE_TILES, RSH_BOUND_BOX, rsh_engine_name(RSH_ENGINE_TILES),
+                       rsh_bound_name(RSH_BOUND_BOX), true});
     return columns;
 }
 
@@ -120,8 +122,7 @@ bool is_measured(const FrameRow& row, const Column& column) {
 }
 
 std::string case_name(const FrameRow& row, const Column& column) {
-    return fmt::format("{}/engine:{}/bound:{}", row.name(), column.engine_name,
-                       column.bound_name);
+    return fmt::format("{}/{}", row.name(), column.name());
 }
 
 }  // namespace bench

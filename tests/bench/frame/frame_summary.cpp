@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "frame/fit.hpp"
 
@@ -153,22 +154,31 @@ void put_against_paper(json& out, const Cases& of_column, const std::vector<Case
     }
 }
 
+bool is_updated(const Case& c) {
+    return c.params.value("updated", false);
+}
+
 }  // namespace
 
 std::vector<Case> summarize(const std::vector<Case>& cases) {
-    std::set<std::pair<std::string, std::string>> columns;
+    std::set<std::tuple<std::string, std::string, bool>> columns;
     Cases all;
     for (const Case& c : cases) {
-        columns.insert({text(c, "engine"), text(c, "bound")});
+        columns.insert({text(c, "engine"), text(c, "bound"), is_updated(c)});
         all.push_back(&c);
     }
     std::vector<Case> summaries;
-    for (const auto& [engine, bound] : columns) {
-        const Cases of_column = select(all, [&engine = engine, &bound = bound](const Case& c) {
-            return text(c, "engine") == engine && text(c, "bound") == bound;
+    for (const auto& column : columns) {
+        const Cases of_column = select(all, [&column](const Case& c) {
+            return column == std::tuple(text(c, "engine"), text(c, "bound"), is_updated(c));
         });
-        Case summary = {fmt::format("frame/summary/engine:{}/bound:{}", engine, bound),
-                        {{"engine", engine}, {"bound", bound}, {"cases", of_column.size()}},
+        const auto& [engine, bound, updated] = column;
+        Case summary = {fmt::format("frame/summary/engine:{}/bound:{}{}", engine, bound,
+                                    updated ? "/updated" : ""),
+                        {{"engine", engine},
+                         {"bound", bound},
+                         {"updated", updated},
+                         {"cases", of_column.size()}},
                         json::object()};
         put_ratios(summary.metrics, of_column);
         put_series(summary.metrics, of_column);

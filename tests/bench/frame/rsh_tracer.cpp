@@ -1,6 +1,8 @@
 // rsh_tracer.cpp - descriptors, buffers, and the frame with its stages.
 #include "frame/rsh_tracer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "timing.hpp"
@@ -20,9 +22,14 @@ double end_ms(const cl::Event& event) {
 
 }  // namespace
 
+std::string Column::name() const {
+    return fmt::format("engine:{}/bound:{}{}", engine_name, bound_name,
+                       is_updated ? "/updated" : "");
+}
+
 RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size size,
                      bool is_shadow, const Column& column)
-    : device_(device), size_(size), is_shadow_(is_shadow) {
+    : device_(device), size_(size), is_shadow_(is_shadow), is_updated_(column.is_updated) {
     bound_.struct_size = sizeof bound_;
     bound_.geometry = geometry;
     build_.struct_size = sizeof build_;
@@ -77,6 +84,7 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
                 "rsh_traverse");
         device_.queue().finish();
     });
+    bound_.update = is_updated_;
     times.build = end_ms(build) - end_ms(bound);
     times.traverse = end_ms(traverse) - end_ms(build);
     times.bound = times.total - times.build - times.traverse;
