@@ -3,6 +3,7 @@
 #define RSH_BOUND_BOXES_H
 
 #include "box.h"
+#include "intersect.h"
 #include "scene_boxes.h"
 
 /* Corners of 16 triangles, component by component. */
@@ -69,15 +70,15 @@ static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
 }
 
 #ifdef RSH_GATHER
-/* The same for 16 triangles that are all sound, as nearly always: none missing, all of their
- * vertices there and finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
+/* The same for 16 triangles that are all sound, as nearly always: all of their vertices are
+ * there and finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
 static bool load_sound_corners(rsh_mesh mesh, __global const float* vertices,
-                               __global const uint* indices, __global const uint* order,
-                               uint first, rsh_corner_rows* corners)
+                               __global const uint* indices, uint16 triangle,
+                               rsh_corner_rows* corners)
 {
-    if (first + 16 > mesh.triangle_count || mesh.vertex_count == 0) return false;
+    if (mesh.vertex_count == 0) return false;
     if ((ulong)mesh.vertex_stride * mesh.vertex_count > INT_MAX) return false;
-    const uint16 words = 3u * triangles_from(mesh, order, first); /* below 2^30 */
+    const uint16 words = 3u * triangle; /* below 2^30 */
     __global const float* index = (__global const float*)indices +
                                   word_offset(mesh.indices_first_low, mesh.indices_first_high);
     vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
@@ -105,11 +106,39 @@ static void load_corners(rsh_mesh mesh, __global const float* vertices,
                          rsh_corner_rows* corners)
 {
 #ifdef RSH_GATHER
-    if (load_sound_corners(mesh, vertices, indices, order, first, corners)) return;
+    if (first + 16 <= mesh.triangle_count &&
+        load_sound_corners(mesh, vertices, indices, triangles_from(mesh, order, first),
+                           corners))
+        return;
 #endif
     for (uint v = 0; v < RSH_VECTORS; ++v)
         load_corners_of(mesh, vertices, indices,
                         triangles_from(mesh, order, first + RSH_WIDTH * v), v, corners);
+}
+
+/* The same for those that have numbers, up to 16, the others at infinity. */
+static void load_numbered_corners(rsh_mesh mesh, __global const float* vertices,
+                                  __global const uint* indices, __global const uint* number,
+                                  rsh_corner_rows* corners)
+{
+#ifdef RSH_GATHER
+    const uint16 triangle = vload16(0, number);
+    const int16 is_there = triangle < (uint16)(mesh.triangle_count);
+    const uint16 stand_in = (uint16)(number[0]);
+    if (number[0] < mesh.triangle_count &&
+        load_sound_corners(mesh, vertices, indices,
+                           select(stand_in, triangle, as_uint16(is_there)), corners)) {
+#pragma unroll
+        for (uint i = 0; i < 9; ++i) {
+            floatv* c = &corners->row[i / 3][i % 3][0];
+            *c = select((floatv)(INFINITY), *c, is_there);
+        }
+        return;
+    }
+#endif
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        load_corners_of(mesh, vertices, indices, load_lanes(number + RSH_WIDTH * v), v,
+                        corners);
 }
 
 /* Boxes of 16 triangles, not padded; those that are never hit hold nothing. */
@@ -127,34 +156,58 @@ static void boxes_of_corners(const rsh_corner_rows* corners, rsh_boxes* boxes)
         }
 }
 
-/* What is never hit: holds nothing, and adds nothing to the box around it. */
-static void clear_box(float* box)
+/* Whether intersect.h has any of the triangles to scale. */
+static bool is_any_scaled(const rsh_corner_rows* corners)
 {
-    for (int axis = 0; axis < 3; ++axis) {
-        box[axis] = INFINITY;
-        box[3 + axis] = -INFINITY;
+    uint scaled = 0;
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        floatv corner[9];
+#pragma unroll
+        for (uint i = 0; i < 9; ++i) corner[i] = corners->row[i / 3][i % 3][v];
+        scaled |= RSH_LANE_BITS((triangle_scale(corner) != (floatv)(1.0f)) &
+                                (corner[0] < (floatv)(INFINITY)));
     }
+    return scaled != 0;
 }
 
-static float smallest_in_row(__global const float* row)
+static void store_corners(const rsh_corner_rows* corners, __global float* cluster)
 {
-    floatv v[RSH_VECTORS];
-    for (uint i = 0; i < RSH_VECTORS; ++i) v[i] = load_lanes(row + RSH_WIDTH * i);
-    return smallest_lane(v);
-}
-
-static float largest_in_row(__global const float* row)
-{
-    floatv v[RSH_VECTORS];
-    for (uint i = 0; i < RSH_VECTORS; ++i) v[i] = load_lanes(row + RSH_WIDTH * i);
-    return largest_lane(v);
-}
-
-static void store_group(float row[6][16], __global float* group)
-{
-    for (uint f = 0; f < 6; ++f)
+#pragma unroll
+    for (uint i = 0; i < 9; ++i)
         for (uint v = 0; v < RSH_VECTORS; ++v)
-            store_lanes(load_lanes(row[f] + RSH_WIDTH * v), group + 16 * f + RSH_WIDTH * v);
+            store_whole(__global, corners->row[i / 3][i % 3][v],
+                        cluster + 16 * i + RSH_WIDTH * v);
+}
+
+/* A cluster is about to be written, or read and written. */
+static void expect_stores(__global const float* cluster)
+{
+#ifdef RSH_EXPECT_STORE
+#pragma unroll
+    for (uint i = 0; i < 10; ++i) RSH_EXPECT_STORE(cluster + 16 * i);
+#endif
+}
+
+/* side: low x y z, high x y z. */
+static void pad_box(float* side)
+{
+    if (!(side[0] <= side[3])) return; /* holds nothing */
+    float reach = 0.0f;
+#pragma unroll
+    for (uint f = 0; f < 6; ++f) {
+        const float away = fabs(side[f]);
+        reach = away > reach ? away : reach;
+    }
+    const float pad = pad_of(reach);
+#pragma unroll
+    for (uint f = 0; f < 6; ++f) side[f] += f < 3 ? -pad : pad;
+}
+
+/* Half of a box's surface; 0 if it holds nothing. */
+static float surface_of(const float* low, const float* high)
+{
+    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return x >= 0.0f ? x * y + y * z + z * x : 0.0f;
 }
 
 #endif

@@ -21,13 +21,12 @@ static rsh_tile run_tile(rsh_levels shape, __global const float* nodes, uint til
 #endif
 }
 
-/* Runs of the bound `box` name places in its clusters. */
-static __global const uint* order_of(__global const uint* bounds, rsh_box_levels levels)
+static __global const float* clusters_in(__global const float* bounds)
 {
 #if RSH_FITTED
     return 0;
 #else
-    return bounds + order_at(&levels);
+    return bounds;
 #endif
 }
 
@@ -42,7 +41,7 @@ __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global 
 __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
                                  __global const float* vertices, __global const uint* indices,
                                  __global const rsh_ray* rays,
-                                 rsh_box_levels boxes, __global const uint* bounds,
+                                 __global const float* bounds,
                                  __global const float* nodes,
                                  __global const uint* triangles, __global const uint2* runs,
                                  __global rsh_hit* hits, __global uint* occlusion,
@@ -52,7 +51,7 @@ __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
     if (me >= tile_count(shape)) return;
     const rsh_levels levels = shape;
     const rsh_run_target target = {mesh, vertices,  indices,       rays,
-                                   hits, occlusion, occlusion_bit, order_of(bounds, boxes)};
+                                   hits, occlusion, occlusion_bit, clusters_in(bounds)};
     const rsh_tile tile = run_tile(shape, nodes, me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
@@ -97,7 +96,7 @@ static void intersect_gathered(const rsh_run_target* target, rsh_tile tile,
 __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh,
                               __global const float* vertices, __global const uint* indices,
                               __global const rsh_ray* rays,
-                              rsh_box_levels boxes, __global const float* bounds,
+                              __global const float* bounds,
                               __global const float* groups, __global const uint* triangles,
                               __global const uint2* runs, __global const uint* sums,
                               __global rsh_hit* hits, __global uint* occlusion,
@@ -113,7 +112,7 @@ __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh
     const rsh_run run = run_of(step, runs, ancestor);
     const rsh_run_target target = {
         mesh, vertices,  indices,       rays,
-        hits, occlusion, occlusion_bit, order_of((__global const uint*)bounds, boxes)};
+        hits, occlusion, occlusion_bit, clusters_in(bounds)};
     const rsh_tile tile = run_tile(shape, groups, me);
     rsh_siblings blocks;
     load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);

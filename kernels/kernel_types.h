@@ -16,26 +16,36 @@ typedef struct rsh_mesh {
 } rsh_mesh;
 RSH_ASSERT_SIZE(rsh_mesh, 32);
 
-/* Boxes of a scene: level 1 those around the clusters, runs of 16 triangles; level l + 1 those
- * around the groups of 16 of level l; the topmost level is one group. 2^28 triangles fill 7
- * levels, that of the triangles counted. */
-#define RSH_MAX_BOX_LEVELS 7
-typedef struct rsh_box_levels {
-    rsh_uint count;
-    rsh_uint boxes[RSH_MAX_BOX_LEVELS];       /* [0]: triangles */
-    rsh_uint first_group[RSH_MAX_BOX_LEVELS]; /* [0]: unused */
-    rsh_uint group_count;                     /* of all levels */
-} rsh_box_levels;
-RSH_ASSERT_SIZE(rsh_box_levels, 64);
+/* What rsh_bound makes for the bound `box`, see scene_boxes.h: triangles in their order come in
+ * parts, a work-item each; a part has room for the clusters and groups that it may need. */
+typedef struct rsh_scene_shape {
+    rsh_uint triangles;
+    rsh_uint part; /* triangles in each part but the last; a multiple of 16 */
+    rsh_uint parts;
+    rsh_uint part_clusters;
+    rsh_uint part_groups;  /* of clusters */
+    rsh_uint upper_groups; /* of groups, of all levels together */
+} rsh_scene_shape;
+RSH_ASSERT_SIZE(rsh_scene_shape, 24);
 
-/* Words before the order of triangles, and before its surveys, in what rsh_bound makes for the
- * bound `box`, and before the order of a list's rays in its nodes; see scene_boxes.h and
- * rsh_levels. */
-#define RSH_ORDER_AT(levels)                                  \
-    (sizeof(rsh_cluster) / 4 * (levels).boxes[1] +            \
-     sizeof(rsh_box_group) / 4 * (levels).group_count)
-#define RSH_SURVEYS_AT(levels) \
-    (RSH_ORDER_AT(levels) + (levels).boxes[0] + ((levels).boxes[1] + 15) / 16)
+#define RSH_CLUSTERS(shape) ((shape).parts * (shape).part_clusters)
+#define RSH_GROUPS(shape) ((shape).parts * (shape).part_groups + (shape).upper_groups)
+
+/* Levels of boxes: clusters, groups, groups of groups. Runs of 8 and more leave 2^28 triangles
+ * that many. */
+#define RSH_MAX_BOX_LEVELS 9
+
+/* In rsh_box_group::below, of a cluster: it has triangles that intersect.h scales. */
+#define RSH_SCALED (1u << 27)
+
+/* Words before the parts of it that are neither clusters nor groups, and before the order of a
+ * list's rays in its nodes; see rsh_levels. */
+#define RSH_ORDER_AT(shape)                          \
+    (sizeof(rsh_cluster) / 4 * RSH_CLUSTERS(shape) + \
+     sizeof(rsh_box_group) / 4 * RSH_GROUPS(shape))
+#define RSH_SURVEYS_AT(shape) (RSH_ORDER_AT(shape) + (shape).triangles)
+#define RSH_TOP_AT(shape) (RSH_SURVEYS_AT(shape) + RSH_SURVEYS * sizeof(rsh_survey) / 4)
+#define RSH_COUNTS_AT(shape) (RSH_TOP_AT(shape) + sizeof(rsh_scene_top) / 4)
 #define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
 
 /* One level of a traversal by runs: nodes of level + 1, each with a run of triangles, hand them
@@ -83,6 +93,19 @@ typedef struct rsh_survey {
     rsh_float triangles, clusters, run;
 } rsh_survey;
 RSH_ASSERT_SIZE(rsh_survey, 12);
+
+/* The group that all others are below, and what its boxes are around: 1: clusters. */
+typedef struct rsh_scene_top {
+    rsh_uint group, level;
+} rsh_scene_top;
+RSH_ASSERT_SIZE(rsh_scene_top, 8);
+
+/* A box that waits for a group to be in: around a cluster or a group, by number. */
+typedef struct rsh_loose_box {
+    rsh_float side[6]; /* low x y z, high x y z */
+    rsh_uint below;
+} rsh_loose_box;
+RSH_ASSERT_SIZE(rsh_loose_box, 28);
 
 /* Bins of order_triangles.cl, by cells of 2^-bits of the scene: cells for large triangles, four
  * times as long, then those for the others. */

@@ -10,12 +10,6 @@
  * surface; above this, tracing loses more than sorting costs. */
 #define RSH_WORN 1.2f
 
-static float surface_of(const float* low, const float* high)
-{
-    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x >= 0.0f ? x * y + y * z + z * x : 0.0f;
-}
-
 /* Of boxes that hold something, added up. */
 static float surface_of_boxes(const rsh_boxes* boxes)
 {

@@ -38,32 +38,31 @@ static void ask_group(const rsh_boxes* boxes, rsh_span* span)
 
 /* Looks at the order that `boxes` hold; if `is_record`, only at one that was made just now. */
 __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
-                               __global const uint* indices, rsh_box_levels shape,
+                               __global const uint* indices, rsh_scene_shape shape,
                                uint is_record, __global const rsh_sorting* sorting,
-                               __global const float* boxes, __global float* surveys, ulong first)
+                               __global const float* boxes, __global float* surveys,
+                               ulong first)
 {
-    const rsh_box_levels levels = shape;
     const uint me = get_global_id(0);
     if (me >= RSH_SURVEYS || (is_record && !sorting->is_needed)) return;
+    __global const uint* order = (__global const uint*)boxes + RSH_ORDER_AT(shape);
     ((__global rsh_survey*)(surveys + first))[me] =
-        survey_at(me, mesh, vertices, indices, (__global const uint*)boxes + order_at(&levels),
-                  levels.boxes[1]);
+        survey_at(me, mesh, vertices, indices, order, (shape.triangles + 15) / 16);
 }
 
 static bool keeps_order(uint is_update, __global const rsh_survey* now,
-                        __global const float* boxes, const rsh_box_levels* levels)
+                        __global const float* boxes, rsh_scene_shape shape)
 {
     return is_update &&
-           order_serves(now, (__global const rsh_survey*)(boxes + surveys_at(levels)));
+           order_serves(now, (__global const rsh_survey*)(boxes + RSH_SURVEYS_AT(shape)));
 }
 
 __kernel void rsh_order_measure(rsh_mesh mesh, __global const float* vertices,
-                                __global const uint* indices, rsh_box_levels shape,
+                                __global const uint* indices, rsh_scene_shape shape,
                                 uint is_update, __global const rsh_survey* now,
                                 __global const float* boxes, __global rsh_span* spans)
 {
-    const rsh_box_levels levels = shape;
-    if (keeps_order(is_update, now, boxes, &levels)) return;
+    if (keeps_order(is_update, now, boxes, shape)) return;
     const rsh_part mine = my_groups(mesh.triangle_count);
     rsh_span span = no_span();
     for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
@@ -89,7 +88,7 @@ static bool is_sparse(rsh_span span) { return span.sparse > span.asked / 4; }
 
 static rsh_grid grid_of(__global const rsh_span* spans, uint cell_bits)
 {
-    const rsh_span whole = whole_span(spans);
+    const rsh_span whole = whole_span(spans, get_global_size(0));
     const float longest = longest_side(&whole);
     rsh_grid grid;
     for (uint axis = 0; axis < 3; ++axis) grid.low[axis] = whole.low[axis];
@@ -121,15 +120,14 @@ static void keys_of_boxes(const rsh_boxes* boxes, rsh_grid grid, uint* keys)
 
 /* Keys of all triangles, and how many are in each cell. */
 __kernel void rsh_order_keys(rsh_mesh mesh, __global const float* vertices,
-                             __global const uint* indices, rsh_box_levels shape,
+                             __global const uint* indices, rsh_scene_shape shape,
                              uint is_update, __global const rsh_survey* now,
                              __global const float* boxes, uint cell_bits,
                              __global const rsh_span* spans,
                              __global rsh_sorting* sorting, __global uint* keys,
                              __global uint* bins)
 {
-    const rsh_box_levels levels = shape;
-    if (keeps_order(is_update, now, boxes, &levels)) {
+    if (keeps_order(is_update, now, boxes, shape)) {
         if (get_global_id(0) == 0) *sorting = (rsh_sorting){0, 0};
         return;
     }

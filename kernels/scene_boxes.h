@@ -1,41 +1,47 @@
 /* scene_boxes.h - what rsh_bound makes for the bound `box`, and how to find one's way in it:
- *   clusters  rsh_box_levels::boxes[1] x rsh_cluster: the corners of 16 triangles each, which
- *             lie close together (order_triangles.cl)
- *   groups    rsh_box_levels::group_count x rsh_box_group, level by level from 1 on. Box i of
- *             level 1 is around cluster i, that of level l + 1 around group i of level l
- *   order     a word per triangle: its number, by its place in the clusters
- *   scaled    a word per 16 clusters, a bit each: it has triangles that intersect.h scales
+ *   clusters  RSH_CLUSTERS x rsh_cluster: triangles that lie close together. Where a part needs
+ *             fewer than it has room for, the others hold none
+ *   groups    RSH_GROUPS x rsh_box_group: of clusters first, then of groups, level by level
+ *   order     a word per triangle: its number, by its place (order_triangles.cl)
  *   surveys   RSH_SURVEYS x rsh_survey, of the order when it was made
+ *   top       rsh_scene_top
+ *   counts    a word per part: its groups of clusters
  */
 #ifndef RSH_SCENE_BOXES_H
 #define RSH_SCENE_BOXES_H
 
 #include "kernel_types.h"
 
-#define RSH_CLUSTER_WORDS 144ul
-#define RSH_GROUP_WORDS 96ul
+#define RSH_CLUSTER_WORDS 160ul
+#define RSH_GROUP_WORDS 112ul
+
+/* Where the words of rsh_cluster::triangle and rsh_box_group::below are. */
+#define RSH_TRIANGLES_AT 144
+#define RSH_BELOW_AT 96
 
 static ulong cluster_at(uint cluster) { return RSH_CLUSTER_WORDS * cluster; }
 
-static ulong box_group_at(const rsh_box_levels* levels, uint level, uint group)
+/* Place: 16 * cluster + where in it. */
+static uint triangle_in_place(__global const float* boxes, uint place)
 {
-    return RSH_CLUSTER_WORDS * levels->boxes[1] +
-           RSH_GROUP_WORDS * (levels->first_group[level] + group);
+    __global const float* cluster = boxes + cluster_at(place / 16);
+    return as_uint(cluster[RSH_TRIANGLES_AT + place % 16]);
 }
 
-static ulong order_at(const rsh_box_levels* levels)
+static ulong box_group_at(const rsh_scene_shape* shape, uint group)
 {
-    return RSH_ORDER_AT(*levels);
+    return RSH_CLUSTER_WORDS * RSH_CLUSTERS(*shape) + RSH_GROUP_WORDS * group;
 }
 
-static ulong scaled_at(const rsh_box_levels* levels)
+static __global rsh_scene_top* scene_top(const rsh_scene_shape* shape, __global float* boxes)
 {
-    return order_at(levels) + levels->boxes[0];
+    return (__global rsh_scene_top*)(boxes + RSH_TOP_AT(*shape));
 }
 
-static ulong surveys_at(const rsh_box_levels* levels)
+/* By part. */
+static __global uint* part_groups(const rsh_scene_shape* shape, __global float* boxes)
 {
-    return RSH_SURVEYS_AT(*levels);
+    return (__global uint*)(boxes + RSH_COUNTS_AT(*shape));
 }
 
 #endif

@@ -56,11 +56,11 @@ static void load_siblings(rsh_siblings* nodes, __global const float* group)
     }
 }
 
-/* bounds: clusters of 16 triangles each, see scene_boxes.h. */
+/* bounds: clusters, see scene_boxes.h. */
 static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bounds,
-                             uint triangle)
+                             uint place)
 {
-    __global const float* corner = bounds + cluster_at(triangle / 16) + triangle % 16;
+    __global const float* corner = bounds + cluster_at(place / 16) + place % 16;
     float low[3], high[3], reach = 0.0f;
     for (uint axis = 0; axis < 3; ++axis) {
         const float a = corner[16 * axis], b = corner[48 + 16 * axis],

@@ -56,11 +56,11 @@ static rsh_span no_span(void)
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
 }
 
-/* What all work-items saw; each adds it up for itself. */
-static rsh_span whole_span(__global const rsh_span* spans)
+/* What `count` work-items saw; each adds it up for itself. */
+static rsh_span whole_span(__global const rsh_span* spans, uint count)
 {
     rsh_span whole = spans[0];
-    for (uint i = 1; i < get_global_size(0); ++i) {
+    for (uint i = 1; i < count; ++i) {
         for (uint axis = 0; axis < 3; ++axis) {
             whole.low[axis] = fmin(whole.low[axis], spans[i].low[axis]);
             whole.high[axis] = fmax(whole.high[axis], spans[i].high[axis]);

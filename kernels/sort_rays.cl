@@ -78,7 +78,7 @@ __kernel void rsh_rays_ask(__global const rsh_ray* rays, uint count,
                            __global const rsh_span* spans, __global uint2* asked)
 {
     const rsh_part mine = my_groups(count);
-    const rsh_span whole = whole_span(spans);
+    const rsh_span whole = whole_span(spans, get_global_size(0));
     const float longest = longest_side(&whole);
     uint2 sum = (uint2)(0);
     for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
@@ -120,7 +120,7 @@ __kernel void rsh_rays_keys(__global const rsh_ray* rays, uint count,
     if (me == 0) *sorting = (rsh_sorting){is_needed, rest};
     if (!is_needed) return;
     const rsh_part mine = my_groups(count);
-    const rsh_span whole = whole_span(spans);
+    const rsh_span whole = whole_span(spans, get_global_size(0));
     __global uint* own = bins + (ulong)RSH_RAY_BINS * me;
     for (uint b = 0; b < RSH_RAY_BINS; ++b) own[b] = 0;
     for (uint g = mine.begin; g < mine.end; ++g) {

@@ -17,7 +17,10 @@ static uint tile_count(rsh_levels shape) { return shape.width[2] * shape.height[
 
 /* Where the order of a list's rays lies behind the groups of its blocks, in words; and behind
  * that a word: whether there is one. */
-static ulong order_behind(rsh_levels shape) { return RSH_RAY_ORDER_AT((ulong)tile_count(shape)); }
+static ulong order_behind(rsh_levels shape)
+{
+    return RSH_RAY_ORDER_AT((ulong)tile_count(shape));
+}
 
 /* nodes: of the bound `box`; 0: places are rays. */
 static rsh_tile tile_at(rsh_levels shape, __global const uint* nodes, uint tile)

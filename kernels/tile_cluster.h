@@ -9,7 +9,7 @@
 
 typedef struct rsh_cluster_in {
     __global const float* corners; /* see rsh_cluster */
-    __global const uint* triangles; /* their numbers */
+    __global const uint* triangles;
     bool is_scaled;
     rsh_boxes boxes; /* of the triangles */
 } rsh_cluster_in;
@@ -17,10 +17,9 @@ typedef struct rsh_cluster_in {
 /* Boxes are padded as box.h says for the largest of the triangles. */
 static void load_cluster(const rsh_work* work, const rsh_box* box, rsh_cluster_in* cluster)
 {
-    const rsh_scene_in* scene = work->scene;
-    cluster->corners = scene->boxes + cluster_at(box->number);
-    cluster->triangles = scene->order + 16ul * box->number;
-    cluster->is_scaled = scene->scaled[box->number / 16] >> (box->number % 16) & 1;
+    cluster->corners = cluster_of(work, box->below);
+    cluster->triangles = (__global const uint*)cluster->corners + RSH_TRIANGLES_AT;
+    cluster->is_scaled = (box->below & RSH_SCALED) != 0;
     float reach = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
         reach = fmax(reach, fmax(fabs(box->low[axis]), fabs(box->high[axis])));
@@ -54,8 +53,7 @@ static void intersect_by_rays(rsh_work* work, const rsh_cluster_in* cluster, uin
         const uint k = lowest_bit(rays);
         rsh_lone_ray ray = lone_ray(block, k);
         work->ray_tests += 16;
-        if (!intersect_cluster(&ray, cluster->corners, cluster->triangles, cluster->is_scaled,
-                               work->is_any))
+        if (!intersect_cluster(&ray, cluster->corners, cluster->is_scaled, work->is_any))
             continue;
         put_back(&ray, block, k);
         changed = true;

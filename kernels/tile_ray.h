@@ -106,11 +106,11 @@ static floatv scales_of(__global const float* cluster, uint v)
     return triangle_scale(corner);
 }
 
-/* As intersect_block. triangles: the numbers of the cluster's. */
-static bool intersect_cluster(rsh_lone_ray* ray, __global const float* cluster,
-                              __global const uint* triangles, bool is_scaled,
+/* As intersect_block. */
+static bool intersect_cluster(rsh_lone_ray* ray, __global const float* cluster, bool is_scaled,
                               bool is_any)
 {
+    __global const uint* triangles = (__global const uint*)cluster + RSH_TRIANGLES_AT;
     bool changed = false;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         rsh_seen seen = see_cluster(ray, cluster, v);

@@ -7,9 +7,9 @@
 
 typedef struct rsh_scene_in {
     __global const float* boxes;
-    __global const uint* order;
-    __global const uint* scaled;
-    rsh_box_levels levels;
+    rsh_scene_shape shape;
+    rsh_scene_top top;
+    float clusters; /* about how many */
 } rsh_scene_in;
 
 /* What tile, block and ray may leave on the stack: 15 boxes of each level, and a group. */
@@ -29,7 +29,7 @@ typedef struct rsh_work {
     rsh_block block[16];
     uint node_tests, ray_tests;
     uint stack_size;
-    ulong stack[RSH_STACK]; /* from which t on (its bits), level * 2^28 + box */
+    ulong stack[RSH_STACK]; /* from which t on (its bits), level * 2^28 + name */
 } rsh_work;
 
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
@@ -63,42 +63,46 @@ static void lower_block_limit(rsh_work* work, uint b)
     if (!work->is_converging || limit < 0.0f) ((float*)work->blocks.limit)[b] = limit;
 }
 
-static __global const float* group_of(const rsh_work* work, uint level, uint group)
+static __global const float* group_of(const rsh_work* work, uint group)
 {
-    return work->scene->boxes + box_group_at(&work->scene->levels, level, group);
+    return work->scene->boxes + box_group_at(&work->scene->shape, group);
 }
 
-/* Boxes of a group that exist. */
-static uint boxes_of(const rsh_work* work, uint level, uint group)
+/* below: of a box around a cluster. */
+static __global const float* cluster_of(const rsh_work* work, uint below)
 {
-    const uint left = work->scene->levels.boxes[level] - 16 * group;
-    return left < 16 ? (1u << left) - 1 : 0xffffu;
+    return work->scene->boxes + cluster_at(below & ~RSH_SCALED);
 }
 
-/* A box of a level, its sides [axis]. */
+/* A box around a cluster (level 1), or around the group `below`; its sides [axis]. */
 typedef struct rsh_box {
-    uint level, number;
+    uint level, below;
     float low[3], high[3];
 } rsh_box;
 
 static rsh_box load_box(const rsh_work* work, uint level, uint number)
 {
-    __global const float* at = group_of(work, level, number / 16) + number % 16;
-    return (rsh_box){level, number, {at[0], at[16], at[32]}, {at[48], at[64], at[80]}};
+    __global const float* at = group_of(work, number / 16) + number % 16;
+    return (rsh_box){level,
+                     as_uint(at[RSH_BELOW_AT]),
+                     {at[0], at[16], at[32]},
+                     {at[48], at[64], at[80]}};
 }
 
 static float near_of(ulong entry) { return as_float((uint)(entry >> 32)); }
 static uint level_of(ulong entry) { return (uint)entry >> 28; }
-static uint number_of(ulong entry) { return (uint)entry & 0x0fffffffu; }
+static uint name_of(ulong entry) { return (uint)entry & 0x0fffffffu; }
 
-/* Boxes of a group that were met, as entries of the stack, the nearest last. Returns their
- * number. */
-static uint sort_boxes(uint met, const float* near, uint level, uint group, ulong* sorted)
+/* Boxes of a group that were met, as entries of the stack, the nearest last: by their numbers,
+ * 16 * group + k, or, if `below` is not 0, by what is below them. Returns how many. */
+static uint sort_boxes(uint met, const float* near, uint level, uint group,
+                       __global const uint* below, ulong* sorted)
 {
     uint count = 0;
     for (; met; met &= met - 1) {
         const uint k = lowest_bit(met);
-        const ulong entry = (ulong)as_uint(near[k]) << 32 | level << 28 | (16 * group + k);
+        const uint name = below ? below[k] : 16 * group + k;
+        const ulong entry = (ulong)as_uint(near[k]) << 32 | level << 28 | name;
         uint at = count++;
         for (; at > 0 && sorted[at - 1] < entry; --at) sorted[at] = sorted[at - 1];
         sorted[at] = entry;
@@ -111,10 +115,10 @@ static void push_boxes_met(rsh_work* work, const rsh_bundle* bundle, uint level,
 {
     float near[16];
     rsh_boxes boxes;
-    load_boxes(group_of(work, level, group), &boxes);
+    load_boxes(group_of(work, group), &boxes);
     work->node_tests += 16;
-    const uint met = boxes_met(bundle, &boxes, near) & boxes_of(work, level, group);
-    work->stack_size += sort_boxes(met, near, level, group, work->stack + work->stack_size);
+    const uint met = boxes_met(bundle, &boxes, near);
+    work->stack_size += sort_boxes(met, near, level, group, 0, work->stack + work->stack_size);
 }
 
 #endif

@@ -62,7 +62,7 @@ static void visit_box(rsh_work* work, rsh_probe* probe, const rsh_box* box)
     probe->wasted = blocks ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
     if (!blocks) return;
     if (popcount(blocks) > few && box->level > 1) {
-        push_boxes_met(work, &probe->bundle, box->level - 1, box->number);
+        push_boxes_met(work, &probe->bundle, box->level - 1, box->below);
         return;
     }
     if (popcount(blocks) > few)
@@ -81,7 +81,7 @@ static void traverse(rsh_work* work, uint blocks, const rsh_hull* hull)
 {
     rsh_probe probe = probe_of(work, blocks, hull);
     lower_limit(work, &probe);
-    push_boxes_met(work, &probe.bundle, work->scene->levels.count - 1, 0);
+    push_boxes_met(work, &probe.bundle, work->scene->top.level, work->scene->top.group);
     if (is_single(blocks)) {
         rsh_block_probe block = {lowest_bit(blocks), probe.sign, 0};
         traverse_block(work, &block, 0);
@@ -90,14 +90,14 @@ static void traverse(rsh_work* work, uint blocks, const rsh_hull* hull)
     while (work->stack_size) {
         const ulong top = work->stack[--work->stack_size];
         if (near_of(top) > probe.bundle.limit) continue;
-        const rsh_box box = load_box(work, level_of(top), number_of(top));
+        const rsh_box box = load_box(work, level_of(top), name_of(top));
         visit_box(work, &probe, &box);
     }
 }
 
 static bool is_wide(const rsh_work* work, float cost)
 {
-    return cost >= RSH_WIDE * (float)work->scene->levels.boxes[1];
+    return cost >= RSH_WIDE * work->scene->clusters;
 }
 
 /* Together, if that costs no more than block by block. */
@@ -167,12 +167,12 @@ static void measure_scene(rsh_work* work)
 {
     rsh_boxes top;
     float side[3];
-    load_boxes(group_of(work, work->scene->levels.count - 1, 0), &top);
+    load_boxes(group_of(work, work->scene->top.group), &top);
     for (uint axis = 0; axis < 3; ++axis)
         side[axis] = largest_lane(top.high[axis]) - smallest_lane(top.low[axis]);
     work->scene_size = fmax(side[0], fmax(side[1], side[2]));
     const float surface = side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
-    work->cluster_size = surface / (float)work->scene->levels.boxes[1];
+    work->cluster_size = surface / work->scene->clusters;
 }
 
 static void store_answers(const rsh_work* work, __global rsh_hit* hits,
@@ -189,7 +189,7 @@ static void store_answers(const rsh_work* work, __global rsh_hit* hits,
     }
 }
 
-__kernel void rsh_traverse_tiles(rsh_box_levels levels, __global const float* boxes,
+__kernel void rsh_traverse_tiles(rsh_scene_shape scene_shape, __global const float* boxes,
                                  rsh_levels shape, __global const rsh_ray* rays,
                                  __global const float* nodes, __global rsh_hit* hits,
                                  __global uint* occlusion, uint occlusion_bit,
@@ -198,10 +198,10 @@ __kernel void rsh_traverse_tiles(rsh_box_levels levels, __global const float* bo
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
     rsh_scene_in scene;
-    scene.levels = levels;
+    scene.shape = scene_shape;
     scene.boxes = boxes;
-    scene.order = (__global const uint*)boxes + order_at(&scene.levels);
-    scene.scaled = (__global const uint*)boxes + scaled_at(&scene.levels);
+    scene.top = *(__global const rsh_scene_top*)(boxes + RSH_TOP_AT(scene_shape));
+    scene.clusters = (float)((scene_shape.triangles + 15) / 16);
     rsh_work work;
     work.scene = &scene;
     work.rays = rays;
@@ -209,7 +209,7 @@ __kernel void rsh_traverse_tiles(rsh_box_levels levels, __global const float* bo
     work.tile = tile_at(shape, (__global const uint*)nodes, me);
     work.is_any = occlusion_bit != 0;
     const uint active = begin_tile(&work);
-    if (active && scene.levels.boxes[0]) {
+    if (active && scene_shape.triangles) {
         measure_scene(&work);
         traverse_tile(&work, active);
     }

@@ -38,6 +38,13 @@ typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define any_lane(mask) (RSH_LANE_BITS(mask) != 0)
 #endif
 
+/* The same in one instruction, where the memory is __global or __private; vstore may come in
+ * pieces, and many of them fill up what a CPU has for stores under way. */
+typedef floatv __attribute__((aligned(4))) floatv_anywhere;
+typedef uintv __attribute__((aligned(4))) uintv_anywhere;
+#define store_whole(space, value, array) (*(space floatv_anywhere*)(array) = (value))
+#define store_whole_uint(space, value, array) (*(space uintv_anywhere*)(array) = (value))
+
 /* The lanes' numbers. */
 #if RSH_WIDTH == 1
 #define RSH_LANES ((intv)(0))
@@ -57,6 +64,10 @@ typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define RSH_GATHER(base, at)                                                              \
     __builtin_ia32_gathersiv16sf((float16)(0.0f), (const void*)(ulong)(base), as_int16(at), \
                                  0xffff, 4)
+#endif
+#if RSH_WIDTH > 1 && __has_builtin(__builtin_prefetch)
+/* Where it is defined: the cache line is about to be written. */
+#define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
 #endif
 #if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_cvtd2mask512) && defined(__AVX512DQ__)
 #define RSH_LANE_BITS(mask) ((uint)(ushort)__builtin_ia32_cvtd2mask512(mask))

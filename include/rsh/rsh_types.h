@@ -80,20 +80,22 @@ typedef struct rsh_node_quad {
 } rsh_node_quad;
 RSH_ASSERT_SIZE(rsh_node_quad, 128);
 
-/* Sixteen triangles side by side, [corner][axis][triangle]; with corners at infinity: none, or
- * one that is never hit. */
+/* Up to sixteen triangles side by side, [corner][axis][triangle]; with corners at infinity:
+ * none, or one that is never hit. */
 typedef struct rsh_cluster {
     rsh_float corner[3][3][16];
+    rsh_uint triangle[16]; /* their numbers; RSH_NO_HIT: none */
 } rsh_cluster;
-RSH_ASSERT_SIZE(rsh_cluster, 576);
+RSH_ASSERT_SIZE(rsh_cluster, 640);
 
-/* Sixteen boxes side by side: around clusters, or around such groups. [axis][box]. A box that
- * holds nothing has low = infinity, high = -infinity. */
+/* Up to sixteen boxes side by side: around clusters, or around such groups. [axis][box]. A box
+ * that holds nothing has low = infinity, high = -infinity. */
 typedef struct rsh_box_group {
     rsh_float low[3][16];
     rsh_float high[3][16];
+    rsh_uint below[16]; /* number of the cluster or group; where there is none, of the first */
 } rsh_box_group;
-RSH_ASSERT_SIZE(rsh_box_group, 384);
+RSH_ASSERT_SIZE(rsh_box_group, 448);
 
 /* Sixteen sibling nodes of the bound `box`: the blocks of a tile. [axis][block]. */
 typedef struct rsh_node_group {

@@ -10,12 +10,6 @@
 namespace rsh {
 namespace {
 
-constexpr cl_uint kBoxesPerGroup = 16;
-
-cl_uint groups_of(cl_uint boxes) {
-    return (boxes + kBoxesPerGroup - 1) / kBoxesPerGroup;
-}
-
 // Cells of 2^-bits of the scene that triangles are sorted by: up to 32 triangles for each cell
 // of space, most of which are empty.
 cl_uint cell_bits(cl_uint triangles) {
@@ -47,8 +41,8 @@ public:
         launch("rsh_order_keys", sort.items(), desc_.update, scratch_["surveys"], desc_.bounds,
                bits, scratch_["spans"], scratch_["sorting"], scratch_["keys"],
                scratch_["bins"]);
-        sort.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(levels_));
-        survey(desc_.bounds, RSH_SURVEYS_AT(levels_), true);
+        sort.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(shape_));
+        survey(desc_.bounds, RSH_SURVEYS_AT(shape_), true);
     }
 
 private:
@@ -60,16 +54,39 @@ private:
     template <class... Arguments>
     void launch(const char* kernel, Range range, const Arguments&... arguments) const {
         recorder_.launch(RSH_STAGE_BOUND, tiles_kernel(kernel), range, mesh_,
-                         desc_.geometry.vertices, desc_.geometry.indices, levels_,
-                         arguments...);
+                         desc_.geometry.vertices, desc_.geometry.indices, shape_, arguments...);
     }
 
     Recorder& recorder_;
     const rsh_bound_desc& desc_;
     const Scratch& scratch_;
     const rsh_mesh mesh_ = mesh_of(desc_.geometry);
-    const rsh_box_levels levels_ = box_levels(mesh_.triangle_count);
+    const rsh_scene_shape shape_ = scene_shape(mesh_.triangle_count);
 };
+
+// bound_boxes.cl: where the order is a new one.
+void make_boxes(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch) {
+    const rsh_geometry& geometry = desc.geometry;
+    const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
+    const cl_uint spans = sort_of_triangles(recorder.context(), shape.triangles).items().items;
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_clusters"),
+                    recorder.serial_range(shape.parts), mesh_of(geometry), geometry.vertices,
+                    geometry.indices, shape, scratch["sorting"], spans, scratch["spans"],
+                    desc.bounds, scratch["loose"]);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"), {1, 1}, shape,
+                    scratch["sorting"], spans, scratch["spans"], desc.bounds, scratch["loose"]);
+}
+
+// refit_boxes.cl: where the order was kept.
+void refit_boxes(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch) {
+    const rsh_geometry& geometry = desc.geometry;
+    const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_refit_clusters"),
+                    recorder.serial_range(shape.parts), mesh_of(geometry), geometry.vertices,
+                    geometry.indices, shape, scratch["sorting"], desc.bounds, scratch["loose"]);
+    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_refit_groups"), {1, 1}, shape,
+                    scratch["sorting"], desc.bounds, scratch["loose"]);
+}
 
 // sort_rays.cl: behind the groups of a list's blocks.
 void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels& list,
@@ -91,19 +108,6 @@ void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels
 
 }  // namespace
 
-rsh_box_levels box_levels(cl_uint triangle_count) {
-    rsh_box_levels levels = {};
-    levels.boxes[0] = triangle_count;
-    levels.count = 1;
-    do {
-        const cl_uint level = levels.count++;
-        levels.boxes[level] = groups_of(levels.boxes[level - 1]);
-        levels.first_group[level] = levels.group_count;
-        levels.group_count += groups_of(levels.boxes[level]);
-    } while (levels.boxes[levels.count - 1] > kBoxesPerGroup);
-    return levels;
-}
-
 rsh_levels Box::levels(cl_uint width, cl_uint height) const {
     rsh_levels levels = ray_level(width, height);
     levels.fan = 4;
@@ -118,16 +122,16 @@ size_t Box::node_bytes(const rsh_levels& levels) const {
 }
 
 size_t Box::scene_bytes(const rsh_geometry& geometry) const {
-    const rsh_box_levels levels = box_levels(geometry.triangle_count);
-    const size_t words = size_t{levels.boxes[0]} + groups_of(levels.boxes[1]);
-    return levels.boxes[1] * sizeof(rsh_cluster) + levels.group_count * sizeof(rsh_box_group) +
-           words * sizeof(cl_uint) + RSH_SURVEYS * sizeof(rsh_survey);
+    const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
+    return (RSH_COUNTS_AT(shape) + shape.parts) * sizeof(cl_uint);
 }
 
 Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
     Layout layout(context.caps.alignment);
     sort_of_triangles(context, geometry.triangle_count).reserve(layout);
+    const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
     layout.add_array<rsh_survey>("surveys", RSH_SURVEYS);
+    layout.add_array<rsh_loose_box>("loose", RSH_GROUPS(shape));
     return layout;
 }
 
@@ -144,15 +148,9 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     if (geometry.triangle_count == 0) return;
     const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
-    const rsh_box_levels levels = box_levels(geometry.triangle_count);
     TriangleOrder(recorder, desc, scratch).make();
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_clusters"),
-                    recorder.serial_range(groups_of(levels.boxes[1])), mesh_of(geometry),
-                    geometry.vertices, geometry.indices, levels, desc.bounds);
-    for (cl_uint level = 2; level < levels.count; ++level)
-        recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"),
-                        recorder.serial_range(groups_of(levels.boxes[level])), levels, level,
-                        desc.bounds);
+    make_boxes(recorder, desc, scratch);
+    if (desc.update) refit_boxes(recorder, desc, scratch);
 }
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {

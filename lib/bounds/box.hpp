@@ -1,10 +1,10 @@
 // box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile
-// (build_boxes.cl); against boxes around clusters of 16 triangles, and around runs of 16, 256,
-// ... of these (bound_boxes.cl).
+// (build_boxes.cl); against boxes around clusters of up to 16 triangles, and around groups of
+// up to 16 of these, and so on (bound_boxes.cl).
 #pragma once
 
 #include "bounds/bound.hpp"
-#include "kernel_types.h"
+#include "bounds/scene_shape.hpp"
 
 namespace rsh {
 
@@ -20,8 +20,5 @@ public:
     void bound(Recorder& recorder, const rsh_bound_desc& desc) const override;
     void build(Recorder& recorder, const rsh_build_desc& desc) const override;
 };
-
-// Where the boxes of a scene's levels lie.
-rsh_box_levels box_levels(cl_uint triangle_count);
 
 }  // namespace rsh

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bounds/bound.hpp"
+#include "bounds/box.hpp"
 #include "bounds/levels.hpp"
 #include "passes/traverse_runs.hpp"
 
@@ -30,8 +30,15 @@ cl_uint pieces_of(const Context& context, const rsh_levels& levels, cl_uint leve
 }
 
 // Triangles that a level can hold; never more than the scene can make.
+// What runs name: places in the clusters of `box`, some of them empty, or triangles.
+cl_uint names_of(const rsh_traverse_desc& desc) {
+    const cl_uint triangles = desc.geometry.triangle_count;
+    if (find_bound(desc.bound).id() != RSH_BOUND_BOX) return triangles;
+    return 16 * RSH_CLUSTERS(scene_shape(triangles));
+}
+
 cl_uint capacity_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
-    const cl_ulong triangles = desc.geometry.triangle_count;
+    const cl_ulong triangles = names_of(desc);
     const cl_ulong usual =
         kDefaultBytes * (ray_count(desc.width, desc.height) + triangles) + RSH_MIN_BUDGET;
     const cl_ulong budget = desc.budget ? desc.budget : usual;
@@ -48,7 +55,7 @@ bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles,
 // outgrows them is finished otherwise.
 cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
                         cl_uint capacity) {
-    const cl_uint all = desc.geometry.triangle_count;
+    const cl_uint all = names_of(desc);
     if (!can_overflow(levels, 1, all, capacity)) return all;
     return std::max<cl_uint>(1, std::min(all, capacity / 4));
 }
@@ -94,7 +101,7 @@ public:
     void run() {
         clear_run_hits(recorder_, desc_);
         if (is_box_) join_boxes(recorder_, shape_, desc_.nodes, scratch_["nodes"]);
-        const cl_uint total = desc_.geometry.triangle_count;
+        const cl_uint total = names_of(desc_);
         const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
         for (cl_uint first = 0; first < total; first += size) {
             report_progress(desc_, first / size, (total + size - 1) / size);

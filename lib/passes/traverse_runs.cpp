@@ -61,9 +61,9 @@ void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLev
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_finish_runs"),
                     recorder.serial_range(node_count(level.shape, 2)), level.shape, level.step,
                     mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    box_levels(geometry.triangle_count), desc.bounds, desc.nodes,
-                    parents_of(level, streams), streams.runs, streams.sums, desc.hits,
-                    desc.occlusion, occlusion_mask(desc), streams.tally);
+                    desc.bounds, desc.nodes, parents_of(level, streams), streams.runs,
+                    streams.sums, desc.hits, desc.occlusion, occlusion_mask(desc),
+                    streams.tally);
 }
 
 void clear_run_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
@@ -78,8 +78,7 @@ void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_intersect_runs"),
                     recorder.serial_range(node_count(shape, 2)), shape, mesh_of(geometry),
-                    geometry.vertices, geometry.indices, desc.rays,
-                    box_levels(geometry.triangle_count), desc.bounds, desc.nodes,
+                    geometry.vertices, geometry.indices, desc.rays, desc.bounds, desc.nodes,
                     streams.triangles[1], streams.runs, desc.hits, desc.occlusion,
                     occlusion_mask(desc));
 }

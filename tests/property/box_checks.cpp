@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "../oracle/containment.hpp"
 #include "../support/compare.hpp"
@@ -107,16 +108,63 @@ bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& be
     return true;
 }
 
-void expect_clusters(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
-    expect_permutation(boxes.order);
-    for (uint32_t i = 0; i < 16 * boxes.clusters.size(); ++i) {
-        const uint32_t t = i < boxes.order.size() ? boxes.order[i] : i;
-        ASSERT_TRUE(is_triangle(boxes.clusters[i / 16], i % 16, mesh, t)) << "place " << i;
+// What is below box k of a group, level by level; marks clusters and adds up their triangles.
+class Walk {
+public:
+    Walk(const test::Mesh& mesh, const test::SceneBoxes& boxes) : mesh_(mesh), boxes_(boxes) {}
+
+    void check_group(uint32_t number, uint32_t level) {
+        ASSERT_LT(number, boxes_.groups.size());
+        ASSERT_TRUE(groups_.insert(number).second) << "group " << number << " twice";
+        const rsh_box_group& group = boxes_.groups[number];
+        for (uint32_t k = 0; k < 16; ++k) {
+            // Behind the last one, what is below the first is named again.
+            if (k > 0 && group.below[k] == group.below[0]) {
+                ASSERT_TRUE(is_empty(group, k)) << "group " << number << ", box " << k;
+                continue;
+            }
+            SCOPED_TRACE("group " + std::to_string(number) + ", box " + std::to_string(k));
+            if (level == 1) {
+                check_cluster(group, k);
+            } else {
+                ASSERT_LT(group.below[k], boxes_.groups.size());
+                ASSERT_TRUE(holds_group(group, k, boxes_.groups[group.below[k]]));
+                check_group(group.below[k], level - 1);
+            }
+            if (::testing::Test::HasFatalFailure()) return;
+        }
     }
-    for (uint32_t i = 0; i < boxes.clusters.size(); ++i)
-        EXPECT_EQ((boxes.scaled[i / 16] >> i % 16 & 1) != 0, is_scaled(boxes.clusters[i]))
-            << "cluster " << i;
-}
+
+    std::vector<uint32_t> order() const { return order_; }
+
+    // Those that no group names.
+    void expect_others_empty() const {
+        for (uint32_t c = 0; c < boxes_.clusters.size(); ++c) {
+            if (clusters_.count(c)) continue;
+            for (uint32_t k = 0; k < 16; ++k)
+                ASSERT_TRUE(is_triangle(boxes_.clusters[c], k, mesh_, RSH_NO_HIT));
+        }
+    }
+
+private:
+    void check_cluster(const rsh_box_group& group, uint32_t k) {
+        const uint32_t number = group.below[k] & ~RSH_SCALED;
+        ASSERT_LT(number, boxes_.clusters.size());
+        ASSERT_TRUE(clusters_.insert(number).second) << "cluster " << number << " twice";
+        const rsh_cluster& cluster = boxes_.clusters[number];
+        EXPECT_EQ((group.below[k] & RSH_SCALED) != 0, is_scaled(cluster));
+        ASSERT_TRUE(holds_cluster(group, k, cluster));
+        for (uint32_t i = 0; i < 16; ++i) {
+            ASSERT_TRUE(is_triangle(cluster, i, mesh_, cluster.triangle[i])) << "place " << i;
+            if (cluster.triangle[i] != RSH_NO_HIT) order_.push_back(cluster.triangle[i]);
+        }
+    }
+
+    const test::Mesh& mesh_;
+    const test::SceneBoxes& boxes_;
+    std::set<uint32_t> groups_, clusters_;
+    std::vector<uint32_t> order_;  // of the triangles in clusters
+};
 
 }  // namespace
 
@@ -153,24 +201,11 @@ void expect_contains_all(const Rays& rays, bool converging) {
 }
 
 void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
-    expect_clusters(mesh, boxes);
-    const auto& groups = boxes.groups;
-    uint32_t below = 0, first = 0;  // groups of the level below, and of this
-    for (uint32_t count = uint32_t(boxes.clusters.size()); count > 0;) {
-        const uint32_t here = (count + 15) / 16;
-        ASSERT_LE(first + here, groups.size());
-        for (uint32_t i = 0; i < 16 * here; ++i) {
-            const rsh_box_group& group = groups[first + i / 16];
-            if (i >= count)
-                ASSERT_TRUE(is_empty(group, i % 16)) << "box " << i;
-            else if (first == 0)
-                ASSERT_TRUE(holds_cluster(group, i % 16, boxes.clusters[i])) << "box " << i;
-            else
-                ASSERT_TRUE(holds_group(group, i % 16, groups[below + i])) << "box " << i;
-        }
-        if (here == 1) break;
-        below = first;
-        first += here;
-        count = here;
-    }
+    expect_permutation(boxes.order);
+    if (mesh.triangle_count() == 0) return;
+    Walk walk(mesh, boxes);
+    walk.check_group(boxes.top.group, boxes.top.level);
+    if (::testing::Test::HasFatalFailure()) return;
+    EXPECT_EQ(walk.order(), boxes.order);
+    walk.expect_others_empty();
 }

@@ -172,8 +172,7 @@ std::vector<std::vector<T>> bounds_of(const std::vector<const DeviceMesh*>& fram
 }
 
 SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
-    const uint32_t clusters = (triangles + 15) / 16, scaled = (clusters + 15) / 16;
-    constexpr uint32_t kSurveys = 60;
+    const rsh_scene_shape shape = rsh::scene_shape(triangles);
     SceneBoxes made;
     const uint32_t* at = words.data();
     const auto take = [&at](auto& items, size_t count) {
@@ -181,10 +180,10 @@ SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
         if (count) std::memcpy(items.data(), at, count * sizeof(items[0]));
         at += count * sizeof(items[0]) / sizeof *at;
     };
-    take(made.clusters, clusters);
-    take(made.groups, (words.size() - 144 * clusters - triangles - scaled - kSurveys) / 96);
+    take(made.clusters, RSH_CLUSTERS(shape));
+    take(made.groups, RSH_GROUPS(shape));
     take(made.order, triangles);
-    take(made.scaled, scaled);
+    std::memcpy(&made.top, words.data() + RSH_TOP_AT(shape), sizeof made.top);
     return made;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "bounds/scene_shape.hpp"
 #include "buffer.hpp"
 #include "cases.hpp"
 #include "mesh.hpp"
@@ -60,8 +61,8 @@ std::vector<cl_float4> bound(const DeviceMesh& mesh);
 struct SceneBoxes {
     std::vector<rsh_cluster> clusters;
     std::vector<rsh_box_group> groups;
-    std::vector<uint32_t> order;   // triangle numbers, by their places in the clusters
-    std::vector<uint32_t> scaled;  // a bit per cluster
+    std::vector<uint32_t> order;  // triangle numbers
+    rsh_scene_top top;
 };
 SceneBoxes bound_boxes(const DeviceMesh& mesh);
 // The same after each frame: as many triangles in each; all but the first are updates.
