@@ -272,7 +272,7 @@ __kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
     float price = RSH_MEAN_RUN * price_of(&scene, (float)shape.triangles / RSH_MEAN_RUN);
     rsh_level_in level;
     level.next_group = shape.parts * shape.part_groups;
-    rsh_scene_top top = {0, 1};
+    rsh_scene_top top = {0, 1, shape.triangles};
     rsh_loose_in in = loose_of_parts(&shape, loose, part_groups(&shape, boxes));
     while (in.left > 1) {
         price *= RSH_MEAN_RUN;

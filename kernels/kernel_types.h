@@ -97,8 +97,9 @@ RSH_ASSERT_SIZE(rsh_survey, 12);
 /* The group that all others are below, and what its boxes are around: 1: clusters. */
 typedef struct rsh_scene_top {
     rsh_uint group, level;
+    rsh_uint triangles; /* as many as the scene has, once bounds were made of it */
 } rsh_scene_top;
-RSH_ASSERT_SIZE(rsh_scene_top, 8);
+RSH_ASSERT_SIZE(rsh_scene_top, 12);
 
 /* A box that waits for a group to be in: around a cluster or a group, by number. */
 typedef struct rsh_loose_box {

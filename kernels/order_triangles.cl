@@ -36,6 +36,12 @@ static void ask_group(const rsh_boxes* boxes, rsh_span* span)
     span->sparse += surface_of(low, high) > RSH_SPARSE * surface_of_boxes(boxes);
 }
 
+/* Bounds that were never made, or of another scene, hold no order. */
+static bool has_order(__global const float* boxes, rsh_scene_shape shape)
+{
+    return scene_top_of(&shape, boxes)->triangles == shape.triangles;
+}
+
 /* Looks at the order that `boxes` hold; if `is_record`, only at one that was made just now. */
 __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
                                __global const uint* indices, rsh_scene_shape shape,
@@ -44,7 +50,8 @@ __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
                                ulong first)
 {
     const uint me = get_global_id(0);
-    if (me >= RSH_SURVEYS || (is_record && !sorting->is_needed)) return;
+    if (me >= RSH_SURVEYS) return; /* launch is rounded up to whole groups */
+    if (is_record ? !sorting->is_needed : !has_order(boxes, shape)) return;
     __global const uint* order = (__global const uint*)boxes + RSH_ORDER_AT(shape);
     ((__global rsh_survey*)(surveys + first))[me] =
         survey_at(me, mesh, vertices, indices, order, (shape.triangles + 15) / 16);
@@ -53,7 +60,7 @@ __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
 static bool keeps_order(uint is_update, __global const rsh_survey* now,
                         __global const float* boxes, rsh_scene_shape shape)
 {
-    return is_update &&
+    return is_update && has_order(boxes, shape) &&
            order_serves(now, (__global const rsh_survey*)(boxes + RSH_SURVEYS_AT(shape)));
 }
 

@@ -38,6 +38,12 @@ static __global rsh_scene_top* scene_top(const rsh_scene_shape* shape, __global 
     return (__global rsh_scene_top*)(boxes + RSH_TOP_AT(*shape));
 }
 
+static __global const rsh_scene_top* scene_top_of(const rsh_scene_shape* shape,
+                                                  __global const float* boxes)
+{
+    return (__global const rsh_scene_top*)(boxes + RSH_TOP_AT(*shape));
+}
+
 /* By part. */
 static __global uint* part_groups(const rsh_scene_shape* shape, __global float* boxes)
 {

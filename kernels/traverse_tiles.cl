@@ -200,7 +200,7 @@ __kernel void rsh_traverse_tiles(rsh_scene_shape scene_shape, __global const flo
     rsh_scene_in scene;
     scene.shape = scene_shape;
     scene.boxes = boxes;
-    scene.top = *(__global const rsh_scene_top*)(boxes + RSH_TOP_AT(scene_shape));
+    scene.top = *scene_top_of(&scene.shape, boxes);
     scene.clusters = (float)((scene_shape.triangles + 15) / 16);
     rsh_work work;
     work.scene = &scene;

@@ -308,7 +308,8 @@ typedef struct rsh_bound_desc {
     cl_mem scratch; /* box */
     cl_uint update; /* 1: `bounds` hold what this call made, with the same `bound`, of as many
                        triangles in an earlier frame. Their order is kept while it serves, and
-                       made anew when it is worn; hits are the same. 0: they hold nothing yet */
+                       made anew when it is worn, or of another number of triangles; hits are
+                       the same. 0: they hold nothing yet */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that

@@ -136,6 +136,16 @@ TEST(BoxOrder, IsMadeAnewWhereClustersPart) {
     expect_new_order(fill(shuffled(cells, random), 16), fill(cells, 16));
 }
 
+// As an application may have it that updates from the first frame on.
+TEST(BoxOrder, IsMadeWhereBoundsHoldNothing) {
+    test::Random random(16);
+    const test::DeviceMesh mesh(triangles_at(random_walk(random, 700)));
+    for (const uint8_t byte : {0x00, 0xcd, 0xff}) {
+        SCOPED_TRACE("bytes " + std::to_string(byte));
+        EXPECT_EQ(test::boxes_updated_from(mesh, byte).order, test::bound_boxes(mesh).order);
+    }
+}
+
 // An update looks back at the frame whose order it has, not at the one before.
 TEST(BoxOrder, WearsByDegrees) {
     test::Random random(15);

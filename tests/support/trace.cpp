@@ -147,29 +147,35 @@ Hierarchy build(const Rays& rays) {
 
 namespace {
 
-// The first is made, the others are updates of it.
+// rsh_bound into one buffer, frame by frame.
 template <class T>
-std::vector<std::vector<T>> bounds_of(const std::vector<const DeviceMesh*>& frames,
-                                      cl_uint bound) {
-    rsh_bound_desc desc = {};
-    desc.struct_size = sizeof desc;
-    desc.geometry = frames[0]->geometry();
-    desc.bound = bound;
-    rsh_sizes sizes = {};
-    sizes.struct_size = sizeof sizes;
-    RSH_CHECK(rsh_bound_query(device().rsh, &desc, &sizes));
-    const Buffer<T> bounds(sizes.output_bytes / sizeof(T));
-    desc.bounds = bounds.get();
-    std::vector<std::vector<T>> made;
-    for (const DeviceMesh* mesh : frames) {
-        desc.geometry = mesh->geometry();
-        desc.update = !made.empty();
-        RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
-        made.push_back(bounds.read());
-        expect_guards(bounds.guards_intact(), "bounds");
+class BoundFrames {
+public:
+    BoundFrames(const DeviceMesh& mesh, cl_uint bound) {
+        desc_.struct_size = sizeof desc_;
+        desc_.geometry = mesh.geometry();
+        desc_.bound = bound;
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        RSH_CHECK(rsh_bound_query(device().rsh, &desc_, &sizes));
+        bounds_ = std::make_unique<Buffer<T>>(sizes.output_bytes / sizeof(T));
+        desc_.bounds = bounds_->get();
     }
-    return made;
-}
+
+    void fill(const T& item) const { bounds_->write(std::vector<T>(bounds_->count(), item)); }
+
+    std::vector<T> bound(const DeviceMesh& mesh, bool is_update) {
+        desc_.geometry = mesh.geometry();
+        desc_.update = is_update;
+        RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc_, 0, nullptr, nullptr));
+        expect_guards(bounds_->guards_intact(), "bounds");
+        return bounds_->read();
+    }
+
+private:
+    rsh_bound_desc desc_ = {};
+    std::unique_ptr<Buffer<T>> bounds_;
+};
 
 SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
     const rsh_scene_shape shape = rsh::scene_shape(triangles);
@@ -190,7 +196,7 @@ SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
 }  // namespace
 
 std::vector<cl_float4> bound(const DeviceMesh& mesh) {
-    return bounds_of<cl_float4>({&mesh}, RSH_BOUND_CONE)[0];
+    return BoundFrames<cl_float4>(mesh, RSH_BOUND_CONE).bound(mesh, false);
 }
 
 SceneBoxes bound_boxes(const DeviceMesh& mesh) {
@@ -198,10 +204,18 @@ SceneBoxes bound_boxes(const DeviceMesh& mesh) {
 }
 
 std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames) {
+    BoundFrames<uint32_t> bounds(*frames[0], RSH_BOUND_BOX);
     std::vector<SceneBoxes> made;
-    for (const auto& words : bounds_of<uint32_t>(frames, RSH_BOUND_BOX))
-        made.push_back(scene_boxes(words, frames[0]->geometry().triangle_count));
+    for (const DeviceMesh* mesh : frames)
+        made.push_back(
+            scene_boxes(bounds.bound(*mesh, !made.empty()), mesh->geometry().triangle_count));
     return made;
+}
+
+SceneBoxes boxes_updated_from(const DeviceMesh& mesh, uint8_t byte) {
+    BoundFrames<uint32_t> bounds(mesh, RSH_BOUND_BOX);
+    bounds.fill(0x01010101u * byte);
+    return scene_boxes(bounds.bound(mesh, true), mesh.geometry().triangle_count);
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

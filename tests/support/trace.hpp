@@ -67,6 +67,8 @@ struct SceneBoxes {
 SceneBoxes bound_boxes(const DeviceMesh& mesh);
 // The same after each frame: as many triangles in each; all but the first are updates.
 std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames);
+// Of an update of bounds that hold nothing but this byte.
+SceneBoxes boxes_updated_from(const DeviceMesh& mesh, uint8_t byte);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;
