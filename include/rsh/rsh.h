@@ -315,12 +315,14 @@ typedef struct rsh_bound_desc {
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
  * frame.
  *
- * box:     triangles are put in the order of a Hilbert curve, large ones first; runs of 16 make
- *          a cluster. Meshes whose triangles lie close to those before them in the index take
- *          two thirds of the time. With `update`, bounds are made anew all the same, but the
- *          order is only looked at: boxes at 320 places, at most 1.2 times as large as they
- *          were when it was made. That is decided on the device, and takes a third of the time.
- * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 42 per
+ * box:     triangles are put in the order of a Hilbert curve, large ones first; runs of 8 to 16
+ *          make a cluster, and of clusters a group, cut where their boxes are smallest. Meshes
+ *          whose triangles lie close to those before them in the index take two thirds of the
+ *          time. With `update`, order and cuts of the earlier frame stay, and boxes are fitted
+ *          to where the triangles are now: a third of the time. An order is worn where its
+ *          boxes, at up to 320 places, have 1.2 times the surface that they had, against that
+ *          of their triangles; then it is made anew in the same call. The device decides.
+ * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 55 per
  *          triangle; scratch_bytes: box about 9. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);

