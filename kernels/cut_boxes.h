@@ -35,7 +35,7 @@ typedef struct rsh_row {
 /* Sums of surfaces stay finite. */
 #define RSH_MOST_SURFACE 1e30f
 
-/* The better of each place and of the one `step` behind it. */
+/* The lower sides, or the higher, of the first 8 of a and of b. */
 #define RSH_JOIN8(low, a, b) \
     ((low) ? RSH_LESSER8((a).s01234567, b) : RSH_GREATER8((a).s01234567, b))
 
@@ -155,7 +155,7 @@ static void bound_run(const rsh_row* row, uint first, uint length, float* side)
     }
 }
 
-/* Moves `count` words to the front from `done` on, 16 or more. */
+/* Moves `count` words, and up to 15 behind them, from `done` on to the front. */
 static void shift_words(float* words, uint done, uint count)
 {
     for (uint i = 0; i < count; i += 16) vstore16(vload16(0, words + done + i), 0, words + i);
