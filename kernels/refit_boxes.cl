@@ -65,14 +65,14 @@ __kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
             member[k] = below[k] & ~RSH_SCALED;
             clear_sides(row, k);
         }
-        for (uint k = 0; k < 16 && (k == 0 || member[k] != member[0]); ++k) {
+        const uint none = member[0]; /* again, behind the last */
+        for (uint k = 0; k < 16 && (k == 0 || member[k] != none); ++k) {
             float side[6];
             expect_stores(boxes + cluster_at(member[k] + RSH_AHEAD));
             if (refit_cluster(mesh, vertices, indices, boxes + cluster_at(member[k]), side))
                 member[k] |= RSH_SCALED;
             for (uint f = 0; f < 6; ++f) row[f][k] = side[f];
         }
-        const uint none = member[0] & ~RSH_SCALED;
         for (uint k = 0; k < 16; ++k)
             below[k] = k > 0 && member[k] == none ? member[0] : member[k];
         store_sides(row, group, loose + number);

@@ -26,6 +26,14 @@ TEST_P(Box, OfTheSceneContainsWhatIsBelowIt) {
     expect_contained(mesh, test::bound_boxes(test::DeviceMesh(mesh)));
 }
 
+// The same triangles, so that their order serves.
+TEST_P(Box, OfTheSceneContainsWhatIsBelowItAfterAnUpdate) {
+    test::Random random(5);
+    const test::Mesh mesh = GetParam().make(random).mesh;
+    const test::DeviceMesh scene(mesh);
+    expect_contained(mesh, test::updated_boxes({&scene, &scene})[1]);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Box, ::testing::ValuesIn(test::all_cases()), test::case_name);
 
 TEST(BoxSizes, ContainRaysInGridsOfAnyShape) {
