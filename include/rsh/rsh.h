@@ -301,15 +301,15 @@ typedef struct rsh_bound_desc {
     size_t struct_size;
     rsh_geometry geometry;
     cl_uint bound; /* RSH_BOUND_... */
-    cl_mem bounds; /* out: rsh_sizes.output_bytes.
+    cl_mem bounds; /* out, with `update` in/out: rsh_sizes.output_bytes.
                       cone, cone_fitted: triangle_count x float4, centre and radius [world];
                             radius -1: the triangle is never hit.
                       box:  triangles in clusters, and boxes around these, for rsh_traverse   */
     cl_mem scratch; /* box */
-    cl_uint update; /* 1: `bounds` hold what this call made, with the same `bound`, of as many
-                       triangles in an earlier frame. Their order is kept while it serves, and
-                       made anew when it is worn, or of another number of triangles; hits are
-                       the same. 0: they hold nothing yet */
+    cl_uint update; /* box: 1: `bounds` hold what this call made in an earlier frame, untouched
+                       since. Their order is kept while it serves; it is made anew when it is
+                       worn, or was made of another number of triangles, or never. Hits are
+                       the same. 0: they hold nothing. cone, cone_fitted: changes nothing */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
@@ -319,7 +319,7 @@ typedef struct rsh_bound_desc {
  *          make a cluster, and of clusters a group, cut where their boxes are smallest. Meshes
  *          whose triangles lie close to those before them in the index take two thirds of the
  *          time. With `update`, order and cuts of the earlier frame stay, and boxes are fitted
- *          to where the triangles are now: a third of the time. An order is worn where its
+ *          to where the triangles are now: two fifths of the time. An order is worn where its
  *          boxes, at up to 320 places, have 1.2 times the surface that they had, against that
  *          of their triangles; then it is made anew in the same call. The device decides.
  * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 55 per
