@@ -81,20 +81,6 @@ static float8 surfaces_from(const rsh_row* row, uint at, const float8* last)
     return surfaces_of(around);
 }
 
-/* Lengths of runs, and the places before them among the last 16. */
-#define RSH_TRY_RUNS(TRY)                                    \
-    TRY(16, s01234567) TRY(15, s12345678) TRY(14, s23456789) \
-    TRY(13, s3456789a) TRY(12, s456789ab) TRY(11, s56789abc) \
-    TRY(10, s6789abcd) TRY(9, s789abcde) TRY(8, s89abcdef)
-
-#define RSH_TRY(l, places)                                                      \
-    {                                                                           \
-        const float8 here = least.places + surfaces_from(row, 8 + j - l, last); \
-        const int8 is_less = here < sum;                                        \
-        sum = select(sum, here, is_less);                                       \
-        run = select(run, (int8)(l), is_less);                                  \
-    }
-
 /* length[j]: of the run that ends before place j, for the best cuts up to there. No runs end at
  * places before the row, nor at 1 to 7. */
 static void find_cuts(const rsh_row* row, float price, int* length)
@@ -102,11 +88,19 @@ static void find_cuts(const rsh_row* row, float price, int* length)
     float16 least = (float16)(FLT_MAX); /* of the last 16 places */
     least.s8 = 0.0f;
     for (uint j = 8; j <= row->count; j += 8) {
+        float16 before = least; /* read in parts: stored once, as a whole */
+        const float* place = (const float*)&before;
         float8 last[6], sum = (float8)(FLT_MAX);
         int8 run = (int8)(16);
 #pragma unroll
         for (uint f = 0; f < 6; ++f) last[f] = vload8(0, row->eight[f] + j);
-        RSH_TRY_RUNS(RSH_TRY)
+        for (uint l = 16; l >= RSH_LEAST_RUN; --l) {
+            const float8 here =
+                vload8(0, place + 16 - l) + surfaces_from(row, 8 + j - l, last);
+            const int8 is_less = here < sum;
+            sum = select(sum, here, is_less);
+            run = select(run, (int8)((int)l), is_less);
+        }
         vstore8(run, 0, length + j);
         least = (float16)(least.hi, sum + price);
     }
