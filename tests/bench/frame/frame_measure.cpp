@@ -87,9 +87,11 @@ Size shape_of(const FrameRow& row) {
     return {static_cast<cl_uint>(row.size.pixels()), 1};
 }
 
+constexpr double kCheckedMoment = 0.3, kEarlierMoment = 1.2;
+
 // Returns the number of active rays.
 size_t RowRun::start(const std::vector<Column>& columns) {
-    scene_.move(0.3);
+    scene_.move(kCheckedMoment);
     rays_.make(scene_, row_.rays);
     active_rays_ = rays_.active_count();
     if (active_rays_ == 0) return 0;
@@ -140,7 +142,13 @@ void RowRun::check() {
     for (Contender& contender : contenders_) check(contender, brute);
 }
 
+// What is updated is checked after an update of bounds that were made of another moment.
 void RowRun::check(Contender& contender, const BruteCheck& brute) {
+    if (contender.column.is_updated) {
+        scene_.move(kEarlierMoment);
+        contender.tracer->trace(rays_.buffer());
+        scene_.move(kCheckedMoment);
+    }
     contender.tracer->trace(rays_.buffer());
     if (is_shadow_) {
         const auto ours = contender.tracer->occlusion();
