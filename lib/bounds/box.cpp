@@ -26,23 +26,40 @@ Sort sort_of_rays(const Context& context, const rsh_levels& list) {
     return {list.width[0], RSH_RAY_BINS, context.caps.compute_units};
 }
 
-// order_triangles.cl.
-class TriangleOrder {
+// The scene's side: triangles in their order, then boxes, level by level.
+class SceneBoxes {
 public:
-    TriangleOrder(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch)
+    SceneBoxes(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch)
         : recorder_(recorder), desc_(desc), scratch_(scratch) {}
 
-    void make() const {
-        const Sort sort = sort_of_triangles(recorder_.context(), mesh_.triangle_count);
-        const cl_uint bits = cell_bits(mesh_.triangle_count);
+    // order_triangles.cl.
+    void order() const {
         if (desc_.update) survey(scratch_["surveys"], 0, false);
-        launch("rsh_order_measure", sort.items(), desc_.update, scratch_["surveys"],
+        launch("rsh_order_measure", sort_.items(), desc_.update, scratch_["surveys"],
                desc_.bounds, scratch_["spans"]);
-        launch("rsh_order_keys", sort.items(), desc_.update, scratch_["surveys"], desc_.bounds,
-               bits, scratch_["spans"], scratch_["sorting"], scratch_["keys"],
-               scratch_["bins"]);
-        sort.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(shape_));
+        launch("rsh_order_keys", sort_.items(), desc_.update, scratch_["surveys"], desc_.bounds,
+               cell_bits(mesh_.triangle_count), scratch_["spans"], scratch_["sorting"],
+               scratch_["keys"], scratch_["bins"]);
+        sort_.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(shape_));
         survey(desc_.bounds, RSH_SURVEYS_AT(shape_), true);
+    }
+
+    // bound_boxes.cl: where the order is a new one.
+    void make() const {
+        const cl_uint spans = sort_.items().items;
+        launch("rsh_bound_clusters", parts(), scratch_["sorting"], spans, scratch_["spans"],
+               desc_.bounds, scratch_["loose"]);
+        recorder_.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"), {1, 1}, shape_,
+                         scratch_["sorting"], spans, scratch_["spans"], desc_.bounds,
+                         scratch_["loose"]);
+    }
+
+    // refit_boxes.cl: where the order was kept.
+    void refit() const {
+        launch("rsh_refit_clusters", parts(), scratch_["sorting"], desc_.bounds,
+               scratch_["loose"]);
+        recorder_.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_refit_groups"), {1, 1}, shape_,
+                         scratch_["sorting"], desc_.bounds, scratch_["loose"]);
     }
 
 private:
@@ -50,6 +67,8 @@ private:
         launch("rsh_order_survey", {RSH_SURVEYS, 1}, cl_uint{is_record}, scratch_["sorting"],
                desc_.bounds, surveys, first);
     }
+
+    Range parts() const { return recorder_.serial_range(shape_.parts); }
 
     template <class... Arguments>
     void launch(const char* kernel, Range range, const Arguments&... arguments) const {
@@ -62,31 +81,8 @@ private:
     const Scratch& scratch_;
     const rsh_mesh mesh_ = mesh_of(desc_.geometry);
     const rsh_scene_shape shape_ = scene_shape(mesh_.triangle_count);
+    const Sort sort_ = sort_of_triangles(recorder_.context(), mesh_.triangle_count);
 };
-
-// bound_boxes.cl: where the order is a new one.
-void make_boxes(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch) {
-    const rsh_geometry& geometry = desc.geometry;
-    const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
-    const cl_uint spans = sort_of_triangles(recorder.context(), shape.triangles).items().items;
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_clusters"),
-                    recorder.serial_range(shape.parts), mesh_of(geometry), geometry.vertices,
-                    geometry.indices, shape, scratch["sorting"], spans, scratch["spans"],
-                    desc.bounds, scratch["loose"]);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"), {1, 1}, shape,
-                    scratch["sorting"], spans, scratch["spans"], desc.bounds, scratch["loose"]);
-}
-
-// refit_boxes.cl: where the order was kept.
-void refit_boxes(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch) {
-    const rsh_geometry& geometry = desc.geometry;
-    const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_refit_clusters"),
-                    recorder.serial_range(shape.parts), mesh_of(geometry), geometry.vertices,
-                    geometry.indices, shape, scratch["sorting"], desc.bounds, scratch["loose"]);
-    recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_refit_groups"), {1, 1}, shape,
-                    scratch["sorting"], desc.bounds, scratch["loose"]);
-}
 
 // sort_rays.cl: behind the groups of a list's blocks.
 void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels& list,
@@ -148,9 +144,10 @@ void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     if (geometry.triangle_count == 0) return;
     const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
-    TriangleOrder(recorder, desc, scratch).make();
-    make_boxes(recorder, desc, scratch);
-    if (desc.update) refit_boxes(recorder, desc, scratch);
+    const SceneBoxes boxes(recorder, desc, scratch);
+    boxes.order();
+    boxes.make();
+    if (desc.update) boxes.refit();
 }
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {

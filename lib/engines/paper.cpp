@@ -29,7 +29,6 @@ cl_uint pieces_of(const Context& context, const rsh_levels& levels, cl_uint leve
     return std::clamp(wanted / parents, 1u, kMaxPieces);
 }
 
-// Triangles that a level can hold; never more than the scene can make.
 // What runs name: places in the clusters of `box`, some of them empty, or triangles.
 cl_uint names_of(const rsh_traverse_desc& desc) {
     const cl_uint triangles = desc.geometry.triangle_count;
@@ -37,6 +36,7 @@ cl_uint names_of(const rsh_traverse_desc& desc) {
     return 16 * RSH_CLUSTERS(scene_shape(triangles));
 }
 
+// Triangles that a level can hold; never more than the scene can make.
 cl_uint capacity_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
     const cl_ulong triangles = names_of(desc);
     const cl_ulong usual =
