@@ -138,7 +138,7 @@ TEST(Frame, GivesTheSameBytesWithBoundsThatItUpdates) {
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
     RSH_CHECK(rsh_bound_query(test::device().rsh, &bound, &sizes));
-    const test::Bytes bounds(sizes.output_bytes);
+    const test::Buffer<uint8_t> bounds(sizes.output_bytes);
     options.bounds = bounds.get();
     for (options.update = 0; options.update <= 1; ++options.update)
         for (const bool own_scratch : {false, true}) {
@@ -146,6 +146,7 @@ TEST(Frame, GivesTheSameBytesWithBoundsThatItUpdates) {
             EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
                 << "update " << options.update;
             EXPECT_TRUE(bounds.guards_intact());
+            EXPECT_FALSE(bounds.untouched());
         }
 }
 
