@@ -81,6 +81,23 @@ TEST(FrameSummary, KeepsOtherSizesOutOfTheMeans) {
     EXPECT_NEAR(tiles["pixels_exponent"], 0.5, 1e-9);
 }
 
+TEST(FrameSummary, KeepsUpdatedFramesApart) {
+    std::vector<Case> cases = some_cases();
+    Case updated = cases[3];
+    updated.params["updated"] = true;
+    updated.metrics["ratio_embree"] = 9.0;
+    cases.push_back(updated);
+    size_t seen = 0;
+    for (const Case& summary : summarize(cases)) {
+        if (summary.params["engine"] != "tiles") continue;
+        const bool is_updated = summary.params["updated"];
+        EXPECT_DOUBLE_EQ(summary.metrics["ratio_embree_300k"], is_updated ? 9.0 : 4.0);
+        EXPECT_EQ(summary.name.find("/updated") != std::string::npos, is_updated);
+        ++seen;
+    }
+    EXPECT_EQ(seen, 2u);
+}
+
 TEST(FrameSummary, LeavesOutWhatWasWrong) {
     auto cases = some_cases();
     cases[3].ok = false;
