@@ -1,28 +1,30 @@
-/* bound_boxes.cl - clusters of triangles that lie close together, groups of clusters, groups of
- * groups, and so on up to one.
+/* bound_boxes.cl - clusters of triangles that lie close together, and groups of clusters and
+ * groups, up to one. For this frame alone, groups are runs along the curve as clusters are;
+ * where they are to be kept, they come out of a binary tree, which pays over some frames.
  *   vertices, indices  in      triangles
  *   spans              in      the scene's extent, from rsh_order_measure
  *   boxes              in/out  see scene_boxes.h; in: the order of the triangles
- *   loose              -       boxes around groups that are in no group yet, by their numbers
+ *   loose              -       boxes around clusters, by their numbers
+ *   tree               -       RSH_TREE_WORDS; see kernel_types.h
  * Nothing is done where the order is the one that there was: refit_boxes.cl.
  * Does not look at rays.
  */
-#include "bound_boxes.h"
 #include "cut_boxes.h"
+#include "group_boxes.h"
+#include "group_runs.h"
 #include "sort.h"
 
 /* What a run costs besides its surface, as a part of the scene's by the number of runs. The
  * mean surface of clusters is 3 to 9 times that; between a tenth and two thirds of it, what
  * rays open hardly changes. */
 #define RSH_PRICE 1.5f
+#define RSH_RUN_PRICE (RSH_MEAN_RUN * RSH_PRICE) /* the same of groups */
 
-/* Of groups there are so many fewer. */
-#define RSH_MEAN_RUN 14.0f
-
-static float price_of(const rsh_span* scene, float runs)
+/* A cluster's share of the scene's surface; never 0, so that each has a price. */
+static float share_of(const rsh_span* scene, uint triangles)
 {
     const float surface = surface_of(scene->low, scene->high);
-    return fmin(RSH_PRICE * surface / fmax(runs, 1.0f), RSH_MOST_SURFACE);
+    return clamp(surface * RSH_MEAN_RUN / (float)triangles, 1e-30f, RSH_MOST_SURFACE);
 }
 
 /* A part of the triangles on its way into clusters: some of them in a row. */
@@ -106,67 +108,20 @@ static void clear_clusters(__global float* cluster, uint count)
     }
 }
 
-/* Boxes on their way into groups. */
-typedef struct rsh_level_in {
-    rsh_row row;
-    uint below[RSH_WINDOW + 16];
-    uint next_group; /* number */
-} rsh_level_in;
-
-static void add_box(rsh_level_in* level, const float* side, uint below)
-{
-    for (uint f = 0; f < 6; ++f) level->row.side[f][level->row.count] = side[f];
-    level->below[level->row.count++] = below;
-}
-
-static void store_group(const rsh_level_in* level, uint first, uint length,
-                        __global float* group)
-{
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
-#pragma unroll
-        for (uint f = 0; f < 6; ++f)
-            store_lanes(select((floatv)(f < 3 ? INFINITY : -INFINITY),
-                               load_lanes(level->row.side[f] + first + RSH_WIDTH * v),
-                               is_there),
-                        group + 16 * f + RSH_WIDTH * v);
-        store_lanes(select((uintv)(level->below[first]),
-                           load_lanes(level->below + first + RSH_WIDTH * v),
-                           as_uintv(is_there)),
-                    (__global uint*)group + RSH_BELOW_AT + RSH_WIDTH * v);
-    }
-}
-
-/* Stores the runs of the row as groups; returns how many, and their boxes in `loose`. */
-static uint store_groups(rsh_level_in* level, const rsh_scene_shape* shape,
-                         __global float* boxes, __global rsh_loose_box* loose)
-{
-    uint first = 0;
-    for (uint r = 0; r < level->row.runs; ++r) {
-        const uint length = level->row.run[r], group = level->next_group++;
-        store_group(level, first, length, boxes + box_group_at(shape, group));
-        rsh_loose_box around;
-        bound_run(&level->row, first, length, around.side);
-        around.below = group;
-        loose[r] = around;
-        first += length;
-    }
-    shift_row(&level->row, first);
-    shift_words((float*)level->below, first, level->row.count);
-    return level->row.runs;
-}
-
-static void store_clusters(rsh_part_in* part, __global float* boxes, rsh_level_in* level)
+/* And leaves the boxes around them in `loose`. */
+static void store_clusters(rsh_part_in* part, __global float* boxes,
+                           __global rsh_loose_box* loose)
 {
     uint first = 0;
     for (uint r = 0; r < part->row.runs; ++r) {
         const uint length = part->row.run[r];
         const uint cluster = part->first_cluster + part->clusters++;
-        float side[6];
-        bound_run(&part->row, first, length, side);
-        pad_box(side);
+        rsh_loose_box around;
+        bound_run(&part->row, first, length, around.side);
+        pad_box(around.side);
         const bool is_scaled = store_cluster(part, first, length, boxes + cluster_at(cluster));
-        add_box(level, side, cluster | (is_scaled ? RSH_SCALED : 0));
+        around.below = cluster | RSH_IS_CLUSTER | (is_scaled ? RSH_SCALED : 0);
+        loose[cluster] = around;
         first += length;
     }
     part->cut += first;
@@ -175,12 +130,26 @@ static void store_clusters(rsh_part_in* part, __global float* boxes, rsh_level_i
     shift_words((float*)part->triangle, first, part->row.count);
 }
 
-/* A work-item makes the clusters of a part, and their groups. */
+/* Up to the highest branches of a part. */
+static void grow_part(const rsh_tree* tree, float price, uint part, uint clusters)
+{
+    const uint first = part * tree->shape.part_clusters;
+    rsh_tops tops = no_tops(tree, part);
+    for (uint c = 0; c < clusters; ++c) add_top(tree, &tops, first + c);
+    grow_tree(tree, price, &tops, RSH_CLUSTERS(tree->shape) + first, RSH_PART_TOPS);
+    __global rsh_tree_part* made = tree->parts + part;
+    for (uint i = 0; i < tops.count; ++i) made->top[i] = tops.number[i];
+    made->tops = tops.count;
+    made->waiting = RSH_NO_BRANCH;
+}
+
+/* A work-item makes the clusters of a part, and the groups or the tree above them. */
 __kernel void rsh_bound_clusters(rsh_mesh mesh, __global const float* vertices,
                                  __global const uint* indices, rsh_scene_shape scene_shape,
                                  __global const rsh_sorting* sorting, uint span_count,
-                                 __global const rsh_span* spans, __global float* boxes,
-                                 __global rsh_loose_box* loose)
+                                 __global const rsh_span* spans, uint is_kept,
+                                 __global float* boxes, __global rsh_loose_box* loose,
+                                 __global float* tree)
 {
     const rsh_scene_shape shape = scene_shape;
     const uint me = get_global_id(0);
@@ -188,98 +157,88 @@ __kernel void rsh_bound_clusters(rsh_mesh mesh, __global const float* vertices,
     if (!sorting->is_needed) return;
     __global const uint* order = (__global const uint*)boxes + RSH_ORDER_AT(shape);
     const rsh_span scene = whole_span(spans, span_count);
-    const float price = price_of(&scene, (float)shape.triangles / RSH_MEAN_RUN);
+    const float share = share_of(&scene, shape.triangles);
     rsh_part_in part;
     part.row.count = part.clusters = part.cut = 0;
     part.first_cluster = me * shape.part_clusters;
     part.next = me * shape.part;
     part.end = min(part.next + shape.part, shape.triangles);
-    rsh_level_in level;
-    level.row.count = 0;
-    level.next_group = me * shape.part_groups;
-    __global rsh_loose_box* own = loose + level.next_group;
-    uint groups = 0;
     while (part.next < part.end || part.row.count) {
         load_triangles(&part, mesh, vertices, indices, order, boxes);
-        cut_triangles(&part, price);
-        if (level.row.count + part.row.runs > RSH_WINDOW) {
-            cut_row(&level.row, RSH_MEAN_RUN * price, false);
-            groups += store_groups(&level, &shape, boxes, own + groups);
-        }
-        store_clusters(&part, boxes, &level);
+        cut_triangles(&part, RSH_PRICE * share);
+        store_clusters(&part, boxes, loose);
     }
-    cut_row(&level.row, RSH_MEAN_RUN * price, true);
-    part_groups(&shape, boxes)[me] = groups + store_groups(&level, &shape, boxes, own + groups);
+    __global rsh_part_counts* counts = part_counts(&shape, boxes) + me;
+    counts->clusters = part.clusters;
     clear_clusters(boxes + cluster_at(part.first_cluster + part.clusters),
                    shape.part_clusters - part.clusters);
-}
-
-/* Loose boxes in their order: those of the parts, then those of the level made of them. */
-typedef struct rsh_loose_in {
-    __global rsh_loose_box* boxes;
-    __global const uint* counts; /* groups of the parts; 0: there are no parts */
-    uint part, next, end, left;
-} rsh_loose_in;
-
-static rsh_loose_in loose_of_parts(const rsh_scene_shape* shape, __global rsh_loose_box* loose,
-                                   __global const uint* counts)
-{
-    rsh_loose_in in = {loose, counts, 0, 0, counts[0], 0};
-    for (uint part = 0; part < shape->parts; ++part) in.left += counts[part];
-    return in;
-}
-
-static rsh_loose_box take_loose(rsh_loose_in* in, const rsh_scene_shape* shape)
-{
-    while (in->next == in->end) {
-        in->next = ++in->part * shape->part_groups;
-        in->end = in->next + in->counts[in->part];
+    if (!is_kept) {
+        counts->groups = group_part(&shape, RSH_RUN_PRICE * share, me, part.clusters, boxes,
+                                    loose);
+        return;
     }
-    --in->left;
-    return in->boxes[in->next++];
+    const rsh_tree growing = tree_in(shape, loose, tree);
+    grow_part(&growing, RSH_GROUP_PRICE * share, me, part.clusters);
 }
 
-/* Returns the number of groups; their boxes take the places of those that are in them now. */
-static uint bound_level(rsh_loose_in* in, float price, const rsh_scene_shape* shape,
-                        rsh_level_in* level, __global float* boxes)
-{
-    const bool is_one = in->left <= 16;
-    uint made = 0;
-    level->row.count = 0;
-    while (in->left || level->row.count) {
-        while (in->left && level->row.count < RSH_WINDOW) {
-            const rsh_loose_box box = take_loose(in, shape);
-            add_box(level, box.side, box.below);
-        }
-        if (is_one)
-            cut_evenly(&level->row, true);
-        else
-            cut_row(&level->row, price, !in->left);
-        made += store_groups(level, shape, boxes, in->boxes + made);
-    }
-    return made;
-}
-
-/* Groups of groups, level by level; one work-item: there are 200 times fewer than triangles. */
-__kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
-                               __global const rsh_sorting* sorting, uint span_count,
-                               __global const rsh_span* spans, __global float* boxes,
-                               __global rsh_loose_box* loose)
+/* Groups of the parts' groups; one work-item: there are 200 times fewer than triangles. */
+__kernel void rsh_bound_levels(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
+                               uint span_count, __global const rsh_span* spans,
+                               __global float* boxes, __global rsh_loose_box* loose)
 {
     if (get_global_id(0) != 0 || !sorting->is_needed) return;
     const rsh_scene_shape shape = scene_shape;
     const rsh_span scene = whole_span(spans, span_count);
-    float price = RSH_MEAN_RUN * price_of(&scene, (float)shape.triangles / RSH_MEAN_RUN);
-    rsh_level_in level;
-    level.next_group = shape.parts * shape.part_groups;
-    rsh_scene_top top = {0, 1, shape.triangles};
-    rsh_loose_in in = loose_of_parts(&shape, loose, part_groups(&shape, boxes));
-    while (in.left > 1) {
-        price *= RSH_MEAN_RUN;
-        const uint made = bound_level(&in, price, &shape, &level, boxes);
-        top.group = level.next_group - 1;
-        ++top.level;
-        in = (rsh_loose_in){loose, 0, 0, 0, made, made};
-    }
-    *scene_top(&shape, boxes) = top;
+    const float price = RSH_RUN_PRICE * share_of(&scene, shape.triangles);
+    const rsh_group_range groups = group_levels(&shape, RSH_MEAN_RUN * price, boxes, loose);
+    *scene_top(&shape, boxes) = (rsh_scene_top){groups, shape.triangles};
+}
+
+/* The tree above the parts, and the groups at its top; one work-item: a part leaves 4 boxes. */
+__kernel void rsh_bound_top(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
+                            uint span_count, __global const rsh_span* spans,
+                            __global float* boxes, __global const rsh_loose_box* loose,
+                            __global float* tree)
+{
+    if (get_global_id(0) != 0 || !sorting->is_needed) return;
+    const rsh_scene_shape shape = scene_shape;
+    const rsh_span scene = whole_span(spans, span_count);
+    const float price = RSH_GROUP_PRICE * share_of(&scene, shape.triangles);
+    const rsh_tree growing = tree_in(shape, loose, tree);
+    rsh_tops tops = no_tops(&growing, shape.parts);
+    for (uint p = 0; p < shape.parts; ++p)
+        for (uint i = 0; i < growing.parts[p].tops; ++i)
+            add_top(&growing, &tops, growing.parts[p].top[i]);
+    grow_tree(&growing, price, &tops, 2 * RSH_CLUSTERS(shape), 1);
+    growing.parts[shape.parts].waiting = RSH_NO_BRANCH;
+    rsh_group_range groups = {0, RSH_GROUPS(shape)};
+    make_group(&growing, tops.number[0], groups.end - 1, boxes);
+    groups.first = make_waiting_groups(&growing, shape.parts, groups.end - 1, boxes);
+    *scene_top(&shape, boxes) = (rsh_scene_top){groups, shape.triangles};
+}
+
+/* What a part has, and will be read in no order. */
+static void expect_part(const rsh_tree* tree, uint part)
+{
+#ifdef RSH_EXPECT_LOAD
+    const uint room = tree->shape.part_clusters, first = part * room;
+    for (uint i = 0; i < room; ++i) RSH_EXPECT_LOAD(tree->branches + first + i);
+    for (uint i = 0; i < room; i += 2) RSH_EXPECT_LOAD(tree->clusters + first + i);
+#endif
+}
+
+/* A work-item makes the groups of a part. */
+__kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
+                               __global const rsh_sorting* sorting, __global float* boxes,
+                               __global const rsh_loose_box* loose, __global float* tree)
+{
+    const rsh_scene_shape shape = scene_shape;
+    const uint me = get_global_id(0);
+    if (me >= shape.parts) return; /* launch is rounded up to whole groups */
+    if (!sorting->is_needed) return;
+    const rsh_tree grown = tree_in(shape, loose, tree);
+    expect_part(&grown, me);
+    rsh_group_range groups = {0, (me + 1) * shape.part_groups};
+    groups.first = make_waiting_groups(&grown, me, groups.end, boxes);
+    part_counts(&shape, boxes)[me].groups = groups;
 }

@@ -14,6 +14,7 @@
 #include "box.h"
 
 #define RSH_LEAST_RUN 8
+#define RSH_MEAN_RUN 14.0f /* about */
 
 /* Boxes looked at at once. Cuts far from the end do not depend on what follows; the last two
  * runs wait for it. */

@@ -17,26 +17,31 @@ typedef struct rsh_mesh {
 RSH_ASSERT_SIZE(rsh_mesh, 32);
 
 /* What rsh_bound makes for the bound `box`, see scene_boxes.h: triangles in their order come in
- * parts, a work-item each; a part has room for the clusters and groups that it may need. */
+ * parts, a work-item each; a part has room for the clusters that it may need, and for groups
+ * that are above its clusters alone. */
 typedef struct rsh_scene_shape {
     rsh_uint triangles;
     rsh_uint part; /* triangles in each part but the last; a multiple of 16 */
     rsh_uint parts;
     rsh_uint part_clusters;
-    rsh_uint part_groups;  /* of clusters */
-    rsh_uint upper_groups; /* of groups, of all levels together */
+    rsh_uint part_groups;
+    rsh_uint upper_groups; /* above clusters of several parts */
 } rsh_scene_shape;
 RSH_ASSERT_SIZE(rsh_scene_shape, 24);
 
 #define RSH_CLUSTERS(shape) ((shape).parts * (shape).part_clusters)
 #define RSH_GROUPS(shape) ((shape).parts * (shape).part_groups + (shape).upper_groups)
 
-/* Levels of boxes: clusters, groups, groups of groups. Runs of 8 and more leave 2^28 triangles
- * that many. */
-#define RSH_MAX_BOX_LEVELS 9
-
-/* In rsh_box_group::below, of a cluster: it has triangles that intersect.h scales. */
+/* Bits of rsh_box_group::below besides the number: it is that of a cluster, not of a group; the
+ * cluster has triangles that intersect.h scales. */
+#define RSH_IS_CLUSTER (1u << 26)
 #define RSH_SCALED (1u << 27)
+
+/* Where there is no box: any cluster. Rays that take a box which holds nothing for met, as they
+ * may where the reciprocal of a direction is 0, find nothing there that they should not. */
+#define RSH_NO_BOX (1u << 25 | RSH_IS_CLUSTER | RSH_SCALED)
+
+#define RSH_BELOW_NUMBER(below) ((below) & 0x01ffffffu)
 
 /* Words before the parts of it that are neither clusters nor groups, and before the order of a
  * list's rays in its nodes; see rsh_levels. */
@@ -46,6 +51,8 @@ RSH_ASSERT_SIZE(rsh_scene_shape, 24);
 #define RSH_SURVEYS_AT(shape) (RSH_ORDER_AT(shape) + (shape).triangles)
 #define RSH_TOP_AT(shape) (RSH_SURVEYS_AT(shape) + RSH_SURVEYS * sizeof(rsh_survey) / 4)
 #define RSH_COUNTS_AT(shape) (RSH_TOP_AT(shape) + sizeof(rsh_scene_top) / 4)
+#define RSH_BOUND_WORDS(shape) \
+    (RSH_COUNTS_AT(shape) + (shape).parts * sizeof(rsh_part_counts) / 4)
 #define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
 
 /* One level of a traversal by runs: nodes of level + 1, each with a run of triangles, hand them
@@ -94,19 +101,71 @@ typedef struct rsh_survey {
 } rsh_survey;
 RSH_ASSERT_SIZE(rsh_survey, 12);
 
-/* The group that all others are below, and what its boxes are around: 1: clusters. */
+/* Numbers of groups, each behind those that are in it: the last is the topmost. */
+typedef struct rsh_group_range {
+    rsh_uint first, end;
+} rsh_group_range;
+RSH_ASSERT_SIZE(rsh_group_range, 8);
+
+/* Groups above clusters of several parts. */
 typedef struct rsh_scene_top {
-    rsh_uint group, level;
+    rsh_group_range groups;
     rsh_uint triangles; /* as many as the scene has, once bounds were made of it */
 } rsh_scene_top;
 RSH_ASSERT_SIZE(rsh_scene_top, 12);
 
-/* A box that waits for a group to be in: around a cluster or a group, by number. */
+/* Of a part. */
+typedef struct rsh_part_counts {
+    rsh_uint clusters;
+    rsh_group_range groups;
+} rsh_part_counts;
+RSH_ASSERT_SIZE(rsh_part_counts, 12);
+
+/* A box around a cluster or a group, and how it is named in the group that it is in. */
 typedef struct rsh_loose_box {
     rsh_float side[6]; /* low x y z, high x y z */
     rsh_uint below;
 } rsh_loose_box;
 RSH_ASSERT_SIZE(rsh_loose_box, 28);
+
+/* Two boxes and the one around them; see tree_boxes.h. */
+typedef struct rsh_box_branch {
+    rsh_float side[6];
+    rsh_uint below[2];
+    rsh_uint clusters;
+    rsh_uint shares[4];  /* a byte for each number of slots: those of the first; 0: a group */
+    rsh_uint slot, next; /* of what waits to be a group: 16 * the group above + k; another */
+    rsh_uint unused;
+} rsh_box_branch;
+RSH_ASSERT_SIZE(rsh_box_branch, 64);
+
+/* The highest branches, or clusters, of a part; and the branches that wait to be groups. */
+#define RSH_PART_TOPS 4
+#define RSH_NO_BRANCH 0xffffffffu
+typedef struct rsh_tree_part {
+    rsh_uint top[RSH_PART_TOPS];
+    rsh_uint tops;
+    rsh_uint waiting; /* RSH_NO_BRANCH: none */
+} rsh_tree_part;
+RSH_ASSERT_SIZE(rsh_tree_part, 24);
+
+/* The tree while it grows: branches of the parts, then those above; what they cost; parts; and
+ * words for rsh_tops, part by part, then for what is above them. */
+#define RSH_BRANCHES(shape) (RSH_CLUSTERS(shape) + RSH_PART_TOPS * (shape).parts)
+#define RSH_LEAST_AT(shape) (sizeof(rsh_box_branch) / 4 * RSH_BRANCHES(shape))
+#define RSH_TREE_PARTS_AT(shape) (RSH_LEAST_AT(shape) + 16 * RSH_BRANCHES(shape))
+#define RSH_TOPS_AT(shape) \
+    (RSH_TREE_PARTS_AT(shape) + sizeof(rsh_tree_part) / 4 * ((shape).parts + 1))
+#define RSH_TOPS_MARGIN 48
+#define RSH_TOPS_WORDS(room) (8 * ((room) + RSH_TOPS_MARGIN))
+#define RSH_TREE_WORDS(shape)                                                      \
+    (RSH_TOPS_AT(shape) + (shape).parts * RSH_TOPS_WORDS((shape).part_clusters) + \
+     RSH_TOPS_WORDS(RSH_PART_TOPS * (shape).parts))
+
+/* Groups that are in one another, at most: a round of tree_boxes.h puts at most one branch on
+ * another. A part of 588 clusters takes 12 rounds and 8 that halve what is left, the parts of
+ * 2^28 triangles 12 and 17. */
+#define RSH_MAX_BOX_DEPTH 50
 
 /* Bins of order_triangles.cl, by cells of 2^-bits of the scene: cells for large triangles, four
  * times as long, then those for the others. */

@@ -2,30 +2,13 @@
  * same triangles in each, and the same groups, around where they are now.
  *   vertices, indices  in      triangles
  *   boxes              in/out  see scene_boxes.h
- *   loose              -       boxes around groups, by their numbers
+ *   loose              -       boxes around clusters, by their numbers, then around groups
  * Nothing is done where the order is a new one: bound_boxes.cl.
  */
 #include "bound_boxes.h"
 
-/* Clusters that follow each other mostly have numbers that do. */
+/* Clusters on from the one that is fitted. */
 #define RSH_AHEAD 3
-
-static void clear_sides(float row[6][16], uint k)
-{
-    for (uint f = 0; f < 6; ++f) row[f][k] = f < 3 ? INFINITY : -INFINITY;
-}
-
-static void store_sides(float row[6][16], __global float* group, __global rsh_loose_box* around)
-{
-    for (uint f = 0; f < 6; ++f) {
-        floatv v[RSH_VECTORS];
-        for (uint i = 0; i < RSH_VECTORS; ++i) {
-            v[i] = load_lanes(row[f] + RSH_WIDTH * i);
-            store_whole(__global, v[i], group + 16 * f + RSH_WIDTH * i);
-        }
-        around->side[f] = f < 3 ? smallest_lane(v) : largest_lane(v);
-    }
-}
 
 /* Returns whether intersect.h has any of the triangles to scale. */
 static bool refit_cluster(rsh_mesh mesh, __global const float* vertices,
@@ -46,7 +29,35 @@ static bool refit_cluster(rsh_mesh mesh, __global const float* vertices,
     return is_any_scaled(&corners);
 }
 
-/* A work-item takes the clusters of a part, and their groups. */
+/* The box around each box of a group, and around all. around: of the groups, by their numbers,
+ * those that are in it fitted already. */
+static void refit_group(const rsh_scene_shape* shape, uint number, __global float* boxes,
+                        __global const rsh_loose_box* clusters, __global rsh_loose_box* around)
+{
+    __global float* group = boxes + box_group_at(shape, number);
+    __global uint* below = (__global uint*)group + RSH_BELOW_AT;
+    float row[6][16];
+    for (uint k = 0; k < 16; ++k) {
+        const uint member = below[k];
+        const bool is_there = member != RSH_NO_BOX;
+        __global const rsh_loose_box* of =
+            (member & RSH_IS_CLUSTER ? clusters : around) +
+            (is_there ? RSH_BELOW_NUMBER(member) : 0);
+        for (uint f = 0; f < 6; ++f)
+            row[f][k] = is_there ? of->side[f] : f < 3 ? INFINITY : -INFINITY;
+        if (is_there && member & RSH_IS_CLUSTER) below[k] = of->below;
+    }
+    for (uint f = 0; f < 6; ++f) {
+        floatv v[RSH_VECTORS];
+        for (uint i = 0; i < RSH_VECTORS; ++i) {
+            v[i] = load_lanes(row[f] + RSH_WIDTH * i);
+            store_whole(__global, v[i], group + 16 * f + RSH_WIDTH * i);
+        }
+        around[number].side[f] = f < 3 ? smallest_lane(v) : largest_lane(v);
+    }
+}
+
+/* A work-item takes the clusters of a part, and its groups. */
 __kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
                                  __global const uint* indices, rsh_scene_shape scene_shape,
                                  __global const rsh_sorting* sorting, __global float* boxes,
@@ -55,46 +66,27 @@ __kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
     const rsh_scene_shape shape = scene_shape;
     const uint me = get_global_id(0);
     if (me >= shape.parts || sorting->is_needed) return;
-    const uint first = me * shape.part_groups, count = part_groups(&shape, boxes)[me];
-    for (uint number = first; number < first + count; ++number) {
-        __global float* group = boxes + box_group_at(&shape, number);
-        __global uint* below = (__global uint*)group + RSH_BELOW_AT;
-        float row[6][16];
-        uint member[16];
-        for (uint k = 0; k < 16; ++k) {
-            member[k] = below[k] & ~RSH_SCALED;
-            clear_sides(row, k);
-        }
-        const uint none = member[0]; /* again, behind the last */
-        for (uint k = 0; k < 16 && (k == 0 || member[k] != none); ++k) {
-            float side[6];
-            expect_stores(boxes + cluster_at(member[k] + RSH_AHEAD));
-            if (refit_cluster(mesh, vertices, indices, boxes + cluster_at(member[k]), side))
-                member[k] |= RSH_SCALED;
-            for (uint f = 0; f < 6; ++f) row[f][k] = side[f];
-        }
-        for (uint k = 0; k < 16; ++k)
-            below[k] = k > 0 && member[k] == none ? member[0] : member[k];
-        store_sides(row, group, loose + number);
+    const rsh_part_counts counts = part_counts(&shape, boxes)[me];
+    const uint first = me * shape.part_clusters;
+    for (uint c = first; c < first + counts.clusters; ++c) {
+        rsh_loose_box around;
+        expect_stores(boxes + cluster_at(c + RSH_AHEAD));
+        const bool is_scaled =
+            refit_cluster(mesh, vertices, indices, boxes + cluster_at(c), around.side);
+        around.below = c | RSH_IS_CLUSTER | (is_scaled ? RSH_SCALED : 0);
+        loose[c] = around;
     }
+    for (uint g = counts.groups.first; g < counts.groups.end; ++g)
+        refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
 }
 
-/* Groups of groups, members first: they have the lower numbers. */
+/* The groups above several parts. */
 __kernel void rsh_refit_groups(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
                                __global float* boxes, __global rsh_loose_box* loose)
 {
     if (get_global_id(0) != 0 || sorting->is_needed) return;
     const rsh_scene_shape shape = scene_shape;
-    const uint last = scene_top(&shape, boxes)->group;
-    for (uint number = shape.parts * shape.part_groups; number <= last; ++number) {
-        __global float* group = boxes + box_group_at(&shape, number);
-        __global const uint* below = (__global const uint*)group + RSH_BELOW_AT;
-        float row[6][16];
-        for (uint k = 0; k < 16; ++k) {
-            clear_sides(row, k);
-            if (k == 0 || below[k] != below[0])
-                for (uint f = 0; f < 6; ++f) row[f][k] = loose[below[k]].side[f];
-        }
-        store_sides(row, group, loose + number);
-    }
+    const rsh_group_range groups = scene_top(&shape, boxes)->groups;
+    for (uint g = groups.first; g < groups.end; ++g)
+        refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
 }

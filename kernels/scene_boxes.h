@@ -1,11 +1,12 @@
 /* scene_boxes.h - what rsh_bound makes for the bound `box`, and how to find one's way in it:
  *   clusters  RSH_CLUSTERS x rsh_cluster: triangles that lie close together. Where a part needs
  *             fewer than it has room for, the others hold none
- *   groups    RSH_GROUPS x rsh_box_group: of clusters first, then of groups, level by level
+ *   groups    RSH_GROUPS x rsh_box_group: of clusters and of other groups; those of the parts
+ *             first, then those above
  *   order     a word per triangle: its number, by its place (order_triangles.cl)
  *   surveys   RSH_SURVEYS x rsh_survey, of the order when it was made
  *   top       rsh_scene_top
- *   counts    a word per part: its groups of clusters
+ *   counts    rsh_part_counts per part
  */
 #ifndef RSH_SCENE_BOXES_H
 #define RSH_SCENE_BOXES_H
@@ -45,9 +46,16 @@ static __global const rsh_scene_top* scene_top_of(const rsh_scene_shape* shape,
 }
 
 /* By part. */
-static __global uint* part_groups(const rsh_scene_shape* shape, __global float* boxes)
+static __global rsh_part_counts* part_counts(const rsh_scene_shape* shape,
+                                             __global float* boxes)
 {
-    return (__global uint*)(boxes + RSH_COUNTS_AT(*shape));
+    return (__global rsh_part_counts*)(boxes + RSH_COUNTS_AT(*shape));
+}
+
+/* The first group that is above clusters of several parts. */
+static uint first_upper_group(const rsh_scene_shape* shape)
+{
+    return shape->parts * shape->part_groups;
 }
 
 #endif

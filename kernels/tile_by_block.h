@@ -27,15 +27,15 @@ static void visit_box_by_block(rsh_work* work, rsh_block_probe* probe, const rsh
         probe->wasted = rays ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
         if (popcount(rays) <= few) {
             for (; rays; rays &= rays - 1)
-                traverse_ray(work, probe->b, lowest_bit(rays), box->level, box->below);
+                traverse_ray(work, probe->b, lowest_bit(rays), box->below);
             lower_block_limit(work, probe->b);
             return;
         }
     }
-    if (box->level > 1)
-        push_boxes_met(work, block_bundle(work, probe->b), box->level - 1, box->below);
-    else
+    if (is_cluster(box->below))
         intersect_cluster_by_block(work, probe->b, probe->sign, box, rays);
+    else
+        push_boxes_met(work, block_bundle(work, probe->b), box->below);
 }
 
 /* What lies on the stack above bottom. */
@@ -44,7 +44,7 @@ static void traverse_block(rsh_work* work, rsh_block_probe* probe, uint bottom)
     while (work->stack_size > bottom) {
         const ulong top = work->stack[--work->stack_size];
         if (near_of(top) > lane_of(work->blocks.limit, probe->b)) continue;
-        const rsh_box box = load_box(work, level_of(top), name_of(top));
+        const rsh_box box = load_box(work, name_of(top));
         visit_box_by_block(work, probe, &box);
     }
 }

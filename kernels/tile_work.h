@@ -8,12 +8,13 @@
 typedef struct rsh_scene_in {
     __global const float* boxes;
     rsh_scene_shape shape;
-    rsh_scene_top top;
+    uint top; /* group */
     float clusters; /* about how many */
 } rsh_scene_in;
 
-/* What tile, block and ray may leave on the stack: 15 boxes of each level, and a group. */
-#define RSH_STACK (3 * (15 * RSH_MAX_BOX_LEVELS + 1))
+/* What tile, block and ray, which go on where the one before left, may leave on the stack: 15
+ * boxes of each group on the way down. */
+#define RSH_STACK (15 * RSH_MAX_BOX_DEPTH + 16)
 
 typedef struct rsh_work {
     const rsh_scene_in* scene;
@@ -29,7 +30,7 @@ typedef struct rsh_work {
     rsh_block block[16];
     uint node_tests, ray_tests;
     uint stack_size;
-    ulong stack[RSH_STACK]; /* from which t on (its bits), level * 2^28 + name */
+    ulong stack[RSH_STACK]; /* from which t on (its bits), name */
 } rsh_work;
 
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
@@ -68,41 +69,41 @@ static __global const float* group_of(const rsh_work* work, uint group)
     return work->scene->boxes + box_group_at(&work->scene->shape, group);
 }
 
+static bool is_cluster(uint below) { return (below & RSH_IS_CLUSTER) != 0; }
+
 /* below: of a box around a cluster. */
 static __global const float* cluster_of(const rsh_work* work, uint below)
 {
-    return work->scene->boxes + cluster_at(below & ~RSH_SCALED);
+    return work->scene->boxes + cluster_at(RSH_BELOW_NUMBER(below));
 }
 
-/* A box around a cluster (level 1), or around the group `below`; its sides [axis]. */
+/* A box and what is below it, as in rsh_box_group; its sides [axis]. */
 typedef struct rsh_box {
-    uint level, below;
+    uint below;
     float low[3], high[3];
 } rsh_box;
 
-static rsh_box load_box(const rsh_work* work, uint level, uint number)
+static rsh_box load_box(const rsh_work* work, uint number)
 {
     __global const float* at = group_of(work, number / 16) + number % 16;
-    return (rsh_box){level,
-                     as_uint(at[RSH_BELOW_AT]),
+    return (rsh_box){as_uint(at[RSH_BELOW_AT]),
                      {at[0], at[16], at[32]},
                      {at[48], at[64], at[80]}};
 }
 
 static float near_of(ulong entry) { return as_float((uint)(entry >> 32)); }
-static uint level_of(ulong entry) { return (uint)entry >> 28; }
-static uint name_of(ulong entry) { return (uint)entry & 0x0fffffffu; }
+static uint name_of(ulong entry) { return (uint)entry; }
 
 /* Boxes of a group that were met, as entries of the stack, the nearest last: by their numbers,
  * 16 * group + k, or, if `below` is not 0, by what is below them. Returns how many. */
-static uint sort_boxes(uint met, const float* near, uint level, uint group,
-                       __global const uint* below, ulong* sorted)
+static uint sort_boxes(uint met, const float* near, uint group, __global const uint* below,
+                       ulong* sorted)
 {
     uint count = 0;
     for (; met; met &= met - 1) {
         const uint k = lowest_bit(met);
         const uint name = below ? below[k] : 16 * group + k;
-        const ulong entry = (ulong)as_uint(near[k]) << 32 | level << 28 | name;
+        const ulong entry = (ulong)as_uint(near[k]) << 32 | name;
         uint at = count++;
         for (; at > 0 && sorted[at - 1] < entry; --at) sorted[at] = sorted[at - 1];
         sorted[at] = entry;
@@ -111,14 +112,14 @@ static uint sort_boxes(uint met, const float* near, uint level, uint group,
 }
 
 /* Puts the boxes of a group that the bundle can meet onto the stack. */
-static void push_boxes_met(rsh_work* work, const rsh_bundle* bundle, uint level, uint group)
+static void push_boxes_met(rsh_work* work, const rsh_bundle* bundle, uint group)
 {
     float near[16];
     rsh_boxes boxes;
     load_boxes(group_of(work, group), &boxes);
     work->node_tests += 16;
     const uint met = boxes_met(bundle, &boxes, near);
-    work->stack_size += sort_boxes(met, near, level, group, 0, work->stack + work->stack_size);
+    work->stack_size += sort_boxes(met, near, group, 0, work->stack + work->stack_size);
 }
 
 #endif

@@ -7,7 +7,7 @@
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
  * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of
- * 15 boxes per level for each of the three. Whatever a decision below costs or saves, it only
+ * 15 boxes per group on the way down. Whatever a decision below costs or saves, it only
  * leaves out tests that cannot succeed.
  */
 #include "tile_by_block.h"
@@ -61,8 +61,8 @@ static void visit_box(rsh_work* work, rsh_probe* probe, const rsh_box* box)
     const uint few = RSH_FEW_BLOCKS + probe->wasted;
     probe->wasted = blocks ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
     if (!blocks) return;
-    if (popcount(blocks) > few && box->level > 1) {
-        push_boxes_met(work, &probe->bundle, box->level - 1, box->below);
+    if (popcount(blocks) > few && !is_cluster(box->below)) {
+        push_boxes_met(work, &probe->bundle, box->below);
         return;
     }
     if (popcount(blocks) > few)
@@ -81,7 +81,7 @@ static void traverse(rsh_work* work, uint blocks, const rsh_hull* hull)
 {
     rsh_probe probe = probe_of(work, blocks, hull);
     lower_limit(work, &probe);
-    push_boxes_met(work, &probe.bundle, work->scene->top.level, work->scene->top.group);
+    push_boxes_met(work, &probe.bundle, work->scene->top);
     if (is_single(blocks)) {
         rsh_block_probe block = {lowest_bit(blocks), probe.sign, 0};
         traverse_block(work, &block, 0);
@@ -90,7 +90,7 @@ static void traverse(rsh_work* work, uint blocks, const rsh_hull* hull)
     while (work->stack_size) {
         const ulong top = work->stack[--work->stack_size];
         if (near_of(top) > probe.bundle.limit) continue;
-        const rsh_box box = load_box(work, level_of(top), name_of(top));
+        const rsh_box box = load_box(work, name_of(top));
         visit_box(work, &probe, &box);
     }
 }
@@ -167,7 +167,7 @@ static void measure_scene(rsh_work* work)
 {
     rsh_boxes top;
     float side[3];
-    load_boxes(group_of(work, work->scene->top.group), &top);
+    load_boxes(group_of(work, work->scene->top), &top);
     for (uint axis = 0; axis < 3; ++axis)
         side[axis] = largest_lane(top.high[axis]) - smallest_lane(top.low[axis]);
     work->scene_size = fmax(side[0], fmax(side[1], side[2]));
@@ -200,7 +200,7 @@ __kernel void rsh_traverse_tiles(rsh_scene_shape scene_shape, __global const flo
     rsh_scene_in scene;
     scene.shape = scene_shape;
     scene.boxes = boxes;
-    scene.top = *scene_top_of(&scene.shape, boxes);
+    scene.top = scene_top_of(&scene.shape, boxes)->groups.end - 1;
     scene.clusters = (float)((scene_shape.triangles + 15) / 16);
     rsh_work work;
     work.scene = &scene;

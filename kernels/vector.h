@@ -66,8 +66,9 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
                                  0xffff, 4)
 #endif
 #if RSH_WIDTH > 1 && __has_builtin(__builtin_prefetch)
-/* Where it is defined: the cache line is about to be written. */
+/* Where they are defined: the cache line is about to be written, or read. */
 #define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
+#define RSH_EXPECT_LOAD(at) __builtin_prefetch((const void*)(ulong)(at), 0)
 #endif
 #if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_cvtd2mask512) && defined(__AVX512DQ__)
 #define RSH_LANE_BITS(mask) ((uint)(ushort)__builtin_ia32_cvtd2mask512(mask))

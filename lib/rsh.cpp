@@ -189,8 +189,9 @@ rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
 rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc, rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
         const rsh::Bound& bound = rsh::find_bound(checked.bound);
-        return rsh::sizes_of(bound.scene_bytes(checked.geometry),
-                             bound.bound_scratch(own, checked.geometry).bytes());
+        return rsh::sizes_of(
+            bound.scene_bytes(checked.geometry),
+            bound.bound_scratch(own, checked.geometry, checked.update).bytes());
     });
 }
 

@@ -50,7 +50,7 @@ void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc&
     const Bound& bound = frame_bound(desc);
     const rsh_geometry& geometry = desc.scene->geometry;
     if (!desc.bounds) layout.add("bounds", bound.scene_bytes(geometry));
-    layout.add("bound scratch", bound.bound_scratch(context, geometry).bytes());
+    layout.add("bound scratch", bound.bound_scratch(context, geometry, desc.update).bytes());
     const rsh_levels levels = bound.levels(desc.width, desc.height);
     layout.add("nodes", bound.node_bytes(levels));
     layout.add("build scratch", bound.build_scratch(context, levels).bytes());

@@ -297,6 +297,16 @@ enum {
                               its four children, and angles up to 120 degrees are of use      */
 };
 
+/* What the bounds of a scene hold before, and are for. Hits are the same. */
+enum {
+    RSH_UPDATE_NONE = 0, /* nothing; for this frame alone: made quickly */
+    RSH_UPDATE_NEXT = 1, /* what was made in an earlier frame, untouched since: its order stays
+                            while it serves; it is made anew, as the first, when it is worn, or
+                            was made of another number of triangles */
+    RSH_UPDATE_FIRST = 2 /* nothing; to be kept, for updates or for many frames of a scene that
+                            stands still: made with more care */
+};
+
 typedef struct rsh_bound_desc {
     size_t struct_size;
     rsh_geometry geometry;
@@ -306,10 +316,7 @@ typedef struct rsh_bound_desc {
                             radius -1: the triangle is never hit.
                       box:  triangles in clusters, and boxes around these, for rsh_traverse   */
     cl_mem scratch; /* box */
-    cl_uint update; /* box: 1: `bounds` hold what this call made in an earlier frame, untouched
-                       since. Their order is kept while it serves; it is made anew when it is
-                       worn, or was made of another number of triangles, or never. Hits are
-                       the same. 0: they hold nothing. cone, cone_fitted: changes nothing */
+    cl_uint update; /* box: RSH_UPDATE_...; cone, cone_fitted: changes nothing */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
@@ -318,12 +325,14 @@ typedef struct rsh_bound_desc {
  * box:     triangles are put in the order of a Hilbert curve, large ones first; runs of 8 to 16
  *          make a cluster, and of clusters a group, cut where their boxes are smallest. Meshes
  *          whose triangles lie close to those before them in the index take two thirds of the
- *          time. With `update`, order and cuts of the earlier frame stay, and boxes are fitted
- *          to where the triangles are now: two fifths of the time. An order is worn where its
- *          boxes, at up to 320 places, have 1.2 times the surface that they had, against that
- *          of their triangles; then it is made anew in the same call. The device decides.
+ *          time. RSH_UPDATE_FIRST: groups come out of a binary tree over the clusters; a fourth
+ *          more time, and rays with little in common take up to a fifth less. RSH_UPDATE_NEXT:
+ *          clusters and groups stay, and boxes are fitted to where the triangles are now: two
+ *          fifths of the time. An order is worn where its boxes, at up to 320 places, have 1.2
+ *          times the surface that they had, against that of their triangles; then it is made
+ *          anew in the same call. The device decides.
  * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 55 per
- *          triangle; scratch_bytes: box about 9. */
+ *          triangle; scratch_bytes: box about 9, 14 with RSH_UPDATE_FIRST and _NEXT. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,

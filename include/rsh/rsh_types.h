@@ -88,12 +88,12 @@ typedef struct rsh_cluster {
 } rsh_cluster;
 RSH_ASSERT_SIZE(rsh_cluster, 640);
 
-/* Up to sixteen boxes side by side: around clusters, or around such groups. [axis][box]. A box
+/* Up to sixteen boxes side by side, around clusters and around other groups. [axis][box]. A box
  * that holds nothing has low = infinity, high = -infinity. */
 typedef struct rsh_box_group {
     rsh_float low[3][16];
     rsh_float high[3][16];
-    rsh_uint below[16]; /* number of the cluster or group; where there is none, of the first */
+    rsh_uint below[16]; /* number of the cluster or group, and which: see kernel_types.h */
 } rsh_box_group;
 RSH_ASSERT_SIZE(rsh_box_group, 448);
 

@@ -17,8 +17,8 @@ public:
     virtual rsh_levels levels(cl_uint width, cl_uint height) const = 0;
     virtual size_t node_bytes(const rsh_levels& levels) const = 0;
     virtual size_t scene_bytes(const rsh_geometry& geometry) const = 0;
-    virtual Layout bound_scratch(const Context& context,
-                                 const rsh_geometry& geometry) const = 0;
+    virtual Layout bound_scratch(const Context& context, const rsh_geometry& geometry,
+                                 cl_uint update) const = 0;  // RSH_UPDATE_...
     virtual Layout build_scratch(const Context& context, const rsh_levels& levels) const = 0;
     virtual void bound(Recorder& recorder, const rsh_bound_desc& desc) const = 0;  // the scene
     virtual void build(Recorder& recorder, const rsh_build_desc& desc) const = 0;  // the rays

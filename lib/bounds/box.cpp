@@ -34,10 +34,10 @@ public:
 
     // order_triangles.cl.
     void order() const {
-        if (desc_.update) survey(scratch_["surveys"], 0, false);
-        launch("rsh_order_measure", sort_.items(), desc_.update, scratch_["surveys"],
+        if (is_update_) survey(scratch_["surveys"], 0, false);
+        launch("rsh_order_measure", sort_.items(), is_update_, scratch_["surveys"],
                desc_.bounds, scratch_["spans"]);
-        launch("rsh_order_keys", sort_.items(), desc_.update, scratch_["surveys"], desc_.bounds,
+        launch("rsh_order_keys", sort_.items(), is_update_, scratch_["surveys"], desc_.bounds,
                cell_bits(mesh_.triangle_count), scratch_["spans"], scratch_["sorting"],
                scratch_["keys"], scratch_["bins"]);
         sort_.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(shape_));
@@ -46,20 +46,27 @@ public:
 
     // bound_boxes.cl: where the order is a new one.
     void make() const {
-        const cl_uint spans = sort_.items().items;
+        const cl_uint spans = sort_.items().items, is_kept = desc_.update != RSH_UPDATE_NONE;
         launch("rsh_bound_clusters", parts(), scratch_["sorting"], spans, scratch_["spans"],
-               desc_.bounds, scratch_["loose"]);
-        recorder_.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_bound_groups"), {1, 1}, shape_,
-                         scratch_["sorting"], spans, scratch_["spans"], desc_.bounds,
-                         scratch_["loose"]);
+               is_kept, desc_.bounds, scratch_["loose"], scratch_["tree"]);
+        if (!is_kept) {
+            launch_above("rsh_bound_levels", {1, 1}, scratch_["sorting"], spans,
+                         scratch_["spans"], desc_.bounds, scratch_["loose"]);
+            return;
+        }
+        launch_above("rsh_bound_top", {1, 1}, scratch_["sorting"], spans, scratch_["spans"],
+                     desc_.bounds, scratch_["loose"], scratch_["tree"]);
+        launch_above("rsh_bound_groups", parts(), scratch_["sorting"], desc_.bounds,
+                     scratch_["loose"], scratch_["tree"]);
     }
 
     // refit_boxes.cl: where the order was kept.
     void refit() const {
+        if (!is_update_) return;
         launch("rsh_refit_clusters", parts(), scratch_["sorting"], desc_.bounds,
                scratch_["loose"]);
-        recorder_.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_refit_groups"), {1, 1}, shape_,
-                         scratch_["sorting"], desc_.bounds, scratch_["loose"]);
+        launch_above("rsh_refit_groups", {1, 1}, scratch_["sorting"], desc_.bounds,
+                     scratch_["loose"]);
     }
 
 private:
@@ -76,9 +83,16 @@ private:
                          desc_.geometry.vertices, desc_.geometry.indices, shape_, arguments...);
     }
 
+    // What does not look at triangles.
+    template <class... Arguments>
+    void launch_above(const char* kernel, Range range, const Arguments&... arguments) const {
+        recorder_.launch(RSH_STAGE_BOUND, tiles_kernel(kernel), range, shape_, arguments...);
+    }
+
     Recorder& recorder_;
     const rsh_bound_desc& desc_;
     const Scratch& scratch_;
+    const cl_uint is_update_ = desc_.update == RSH_UPDATE_NEXT;
     const rsh_mesh mesh_ = mesh_of(desc_.geometry);
     const rsh_scene_shape shape_ = scene_shape(mesh_.triangle_count);
     const Sort sort_ = sort_of_triangles(recorder_.context(), mesh_.triangle_count);
@@ -119,15 +133,18 @@ size_t Box::node_bytes(const rsh_levels& levels) const {
 
 size_t Box::scene_bytes(const rsh_geometry& geometry) const {
     const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
-    return (RSH_COUNTS_AT(shape) + shape.parts) * sizeof(cl_uint);
+    return RSH_BOUND_WORDS(shape) * sizeof(cl_uint);
 }
 
-Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry) const {
+Layout Box::bound_scratch(const Context& context, const rsh_geometry& geometry,
+                          cl_uint update) const {
     Layout layout(context.caps.alignment);
+    layout.add_array<rsh_survey>("surveys", RSH_SURVEYS);
     sort_of_triangles(context, geometry.triangle_count).reserve(layout);
     const rsh_scene_shape shape = scene_shape(geometry.triangle_count);
-    layout.add_array<rsh_survey>("surveys", RSH_SURVEYS);
-    layout.add_array<rsh_loose_box>("loose", RSH_GROUPS(shape));
+    layout.reuse_from(Sort::kOnlyWhileSorting);
+    layout.add_array<rsh_loose_box>("loose", RSH_CLUSTERS(shape) + RSH_GROUPS(shape));
+    if (update != RSH_UPDATE_NONE) layout.add_array<cl_float>("tree", RSH_TREE_WORDS(shape));
     return layout;
 }
 
@@ -143,11 +160,12 @@ Layout Box::build_scratch(const Context& context, const rsh_levels& levels) cons
 void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     if (geometry.triangle_count == 0) return;
-    const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry), desc.scratch);
+    const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry, desc.update),
+                          desc.scratch);
     const SceneBoxes boxes(recorder, desc, scratch);
     boxes.order();
     boxes.make();
-    if (desc.update) boxes.refit();
+    boxes.refit();
 }
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {

@@ -26,7 +26,7 @@ size_t Cone::scene_bytes(const rsh_geometry& geometry) const {
     return size_t{geometry.triangle_count} * 16;
 }
 
-Layout Cone::bound_scratch(const Context& context, const rsh_geometry&) const {
+Layout Cone::bound_scratch(const Context& context, const rsh_geometry&, cl_uint) const {
     return Layout(context.caps.alignment);
 }
 

@@ -14,7 +14,8 @@ public:
     rsh_levels levels(cl_uint width, cl_uint height) const override;
     size_t node_bytes(const rsh_levels& levels) const override;
     size_t scene_bytes(const rsh_geometry& geometry) const override;
-    Layout bound_scratch(const Context& context, const rsh_geometry& geometry) const override;
+    Layout bound_scratch(const Context& context, const rsh_geometry& geometry,
+                         cl_uint update) const override;
     Layout build_scratch(const Context& context, const rsh_levels& levels) const override;
     void bound(Recorder& recorder, const rsh_bound_desc& desc) const override;
     void build(Recorder& recorder, const rsh_build_desc& desc) const override;

@@ -8,10 +8,11 @@
 
 namespace rsh {
 
-// Room for runs of 14 triangles on the average and three more, or of 8 each; groups have 8
-// members and more but for the last of a part, or of a level (bound_boxes.cl).
+// Room for runs of 14 triangles on the average and three more, or of 8 each (bound_boxes.cl).
+// Groups hold 8 and more but for the last of a part, or of a level (group_runs.h), or on the
+// average (group_boxes.h).
 inline rsh_scene_shape scene_shape(rsh_uint triangle_count) {
-    constexpr rsh_uint kLeastPart = 256, kMostPart = 8192, kMostLevels = RSH_MAX_BOX_LEVELS;
+    constexpr rsh_uint kLeastPart = 256, kMostPart = 8192, kMostLevels = 9;
     rsh_scene_shape shape = {};
     shape.triangles = triangle_count;
     shape.part = std::clamp((triangle_count / 16 + 15) & ~15u, kLeastPart, kMostPart);
@@ -19,7 +20,10 @@ inline rsh_scene_shape scene_shape(rsh_uint triangle_count) {
     const rsh_uint most = std::min(shape.part, triangle_count);
     shape.part_clusters = std::min(most / 14 + 3, most / 8 + 1);
     shape.part_groups = shape.part_clusters / 8 + 1;
-    shape.upper_groups = shape.parts * shape.part_groups / 7 + kMostLevels;
+    const rsh_uint runs = shape.parts * shape.part_groups / 7 + kMostLevels;
+    const rsh_uint branches =
+        std::min(RSH_PART_TOPS * shape.parts, RSH_CLUSTERS(shape) / 8 + 1);
+    shape.upper_groups = std::max(runs, branches);
     return shape;
 }
 

@@ -21,6 +21,9 @@ public:
     // "spans" (rsh_span per work-item), "sorting" (rsh_sorting), "keys" and "bins".
     void reserve(Layout& layout) const;
 
+    // From this part on, what `reserve` adds is not read after `run`.
+    static constexpr const char* kOnlyWhileSorting = "keys";
+
     // Numbers go to `order`, from word `first` on.
     void run(Recorder& recorder, cl_uint stage, const Scratch& scratch, cl_mem order,
              cl_ulong first) const;

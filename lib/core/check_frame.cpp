@@ -59,7 +59,7 @@ void check_shape(const rsh_frame_desc& desc) {
     if (desc.bound != RSH_BOUND_DEFAULT) check_bound(engine, desc.bound);
     find_strategy(desc.strategy);
     check_budget(desc.budget);
-    require(desc.update <= 1, "update", desc.update, "0 or 1");
+    require(desc.update <= RSH_UPDATE_FIRST, "update", desc.update, "an RSH_UPDATE_... value");
 }
 
 void check_buffers(const Context& context, const rsh_frame_desc& desc) {

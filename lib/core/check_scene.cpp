@@ -89,15 +89,16 @@ void check_buffers(const Context& context, const rsh_scene& scene) {
 void check_shape(const rsh_bound_desc& desc) {
     check_shape(desc.geometry);
     find_bound(desc.bound);
-    require(desc.update <= 1, "update", desc.update, "0 or 1");
+    require(desc.update <= RSH_UPDATE_FIRST, "update", desc.update, "an RSH_UPDATE_... value");
 }
 
 void check_buffers(const Context& context, const rsh_bound_desc& desc) {
     check_buffers(context, desc.geometry);
     check_buffer(context, "bounds", desc.bounds,
                  find_bound(desc.bound).scene_bytes(desc.geometry));
-    check_scratch(context, desc.scratch,
-                  find_bound(desc.bound).bound_scratch(context, desc.geometry).bytes());
+    check_scratch(
+        context, desc.scratch,
+        find_bound(desc.bound).bound_scratch(context, desc.geometry, desc.update).bytes());
 }
 
 }  // namespace rsh

@@ -2,8 +2,10 @@
 // and, through Scratch, hands out the parts. Allocates nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,8 +16,16 @@ public:
     explicit Layout(size_t alignment) : alignment_(alignment) {}
 
     void add(std::string name, size_t bytes) {
-        parts_.push_back({std::move(name), bytes_, bytes});
-        bytes_ += (bytes + alignment_ - 1) / alignment_ * alignment_;
+        parts_.push_back({std::move(name), next_, bytes});
+        next_ += (bytes + alignment_ - 1) / alignment_ * alignment_;
+        bytes_ = std::max(bytes_, next_);
+    }
+
+    // What is added from now on lies where this part and those after it do: for parts that are
+    // not needed at the same time.
+    void reuse_from(std::string_view name) {
+        for (const Part& part : parts_)
+            if (part.name == name) next_ = part.offset;
     }
     template <class T>
     void add_array(std::string name, size_t count) {
@@ -32,7 +42,7 @@ public:
 
 private:
     size_t alignment_;
-    size_t bytes_ = 0;
+    size_t next_ = 0, bytes_ = 0;
     std::vector<Part> parts_;
 };
 

@@ -23,7 +23,8 @@ void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_
     if (bounds == SceneBounds::given) return;
     const Bound& bound = find_bound(desc.bound);
     scratch.add("bounds", bound.scene_bytes(desc.geometry));
-    scratch.add("bound scratch", bound.bound_scratch(context, desc.geometry).bytes());
+    scratch.add("bound scratch",
+                bound.bound_scratch(context, desc.geometry, RSH_UPDATE_NONE).bytes());
 }
 
 cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch) {

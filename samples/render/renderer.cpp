@@ -63,7 +63,7 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.budget = settings_.budget;
     desc.colour = colour_();
     desc.bounds = bounds_();
-    desc.update = has_bounds_;
+    desc.update = has_bounds_ ? RSH_UPDATE_NEXT : RSH_UPDATE_FIRST;
     return desc;
 }
 

@@ -102,8 +102,8 @@ TEST_F(Queries, OfRasterizeBoundAndBuildRefuseWhatTheCallsRefuse) {
                             [](auto& d) { d.geometry.triangle_count = 1u << 28; });
     refuses<rsh_build_desc>(valid_.build(), "width", [](auto& d) { d.width = 16385; });
     refuses<rsh_build_desc>(valid_.build(), "converging", [](auto& d) { d.converging = 2; });
-    refuses<rsh_bound_desc>(valid_.bound(), "update", [](auto& d) { d.update = 2; });
-    refuses<rsh_frame_desc>(valid_.frame(), "update", [](auto& d) { d.update = 2; });
+    refuses<rsh_bound_desc>(valid_.bound(), "update", [](auto& d) { d.update = 3; });
+    refuses<rsh_frame_desc>(valid_.frame(), "update", [](auto& d) { d.update = 3; });
 }
 
 TEST_F(Queries, OfReductionsRefuseWhatReductionsRefuse) {

@@ -108,34 +108,41 @@ bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& be
     return true;
 }
 
-// What is below box k of a group, level by level; marks clusters and adds up their triangles.
+// What is below each box of a group, and so on; marks groups and clusters.
 class Walk {
 public:
     Walk(const test::Mesh& mesh, const test::SceneBoxes& boxes) : mesh_(mesh), boxes_(boxes) {}
 
-    void check_group(uint32_t number, uint32_t level) {
+    void check_group(uint32_t number, uint32_t depth) {
+        ASSERT_LE(depth, uint32_t{RSH_MAX_BOX_DEPTH});
         ASSERT_LT(number, boxes_.groups.size());
         ASSERT_TRUE(groups_.insert(number).second) << "group " << number << " twice";
         const rsh_box_group& group = boxes_.groups[number];
         for (uint32_t k = 0; k < 16; ++k) {
-            // Behind the last one, what is below the first is named again.
-            if (k > 0 && group.below[k] == group.below[0]) {
-                ASSERT_TRUE(is_empty(group, k)) << "group " << number << ", box " << k;
-                continue;
-            }
             SCOPED_TRACE("group " + std::to_string(number) + ", box " + std::to_string(k));
-            if (level == 1) {
+            if (group.below[k] == RSH_NO_BOX) {
+                ASSERT_TRUE(is_empty(group, k));
+            } else if (group.below[k] & RSH_IS_CLUSTER) {
                 check_cluster(group, k);
             } else {
                 ASSERT_LT(group.below[k], boxes_.groups.size());
                 ASSERT_TRUE(holds_group(group, k, boxes_.groups[group.below[k]]));
-                check_group(group.below[k], level - 1);
+                check_group(group.below[k], depth + 1);
             }
             if (::testing::Test::HasFatalFailure()) return;
         }
     }
 
-    std::vector<uint32_t> order() const { return order_; }
+    BoxCounts counts() const { return {clusters_.size(), groups_.size()}; }
+
+    // In the order of the clusters.
+    std::vector<uint32_t> order() const {
+        std::vector<uint32_t> order;
+        for (const uint32_t number : clusters_)
+            for (const uint32_t t : boxes_.clusters[number].triangle)
+                if (t != RSH_NO_HIT) order.push_back(t);
+        return order;
+    }
 
     // Those that no group names.
     void expect_others_empty() const {
@@ -148,22 +155,19 @@ public:
 
 private:
     void check_cluster(const rsh_box_group& group, uint32_t k) {
-        const uint32_t number = group.below[k] & ~RSH_SCALED;
+        const uint32_t number = RSH_BELOW_NUMBER(group.below[k]);
         ASSERT_LT(number, boxes_.clusters.size());
         ASSERT_TRUE(clusters_.insert(number).second) << "cluster " << number << " twice";
         const rsh_cluster& cluster = boxes_.clusters[number];
         EXPECT_EQ((group.below[k] & RSH_SCALED) != 0, is_scaled(cluster));
         ASSERT_TRUE(holds_cluster(group, k, cluster));
-        for (uint32_t i = 0; i < 16; ++i) {
+        for (uint32_t i = 0; i < 16; ++i)
             ASSERT_TRUE(is_triangle(cluster, i, mesh_, cluster.triangle[i])) << "place " << i;
-            if (cluster.triangle[i] != RSH_NO_HIT) order_.push_back(cluster.triangle[i]);
-        }
     }
 
     const test::Mesh& mesh_;
     const test::SceneBoxes& boxes_;
     std::set<uint32_t> groups_, clusters_;
-    std::vector<uint32_t> order_;  // of the triangles in clusters
 };
 
 }  // namespace
@@ -200,12 +204,14 @@ void expect_contains_all(const Rays& rays, bool converging) {
         }
 }
 
-void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes) {
+void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes,
+                      BoxCounts* counts) {
     expect_permutation(boxes.order);
     if (mesh.triangle_count() == 0) return;
     Walk walk(mesh, boxes);
-    walk.check_group(boxes.top.group, boxes.top.level);
+    walk.check_group(boxes.top.groups.end - 1, 1);
     if (::testing::Test::HasFatalFailure()) return;
     EXPECT_EQ(walk.order(), boxes.order);
     walk.expect_others_empty();
+    if (counts) *counts = walk.counts();
 }

@@ -55,16 +55,19 @@ TEST(BoxCuts, SeparateGroups) {
     const uint32_t count = 15, near = 9;
     const test::Mesh mesh = clumps_at(random, two_rows(near, 8), count);
     const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
-    ASSERT_EQ(boxes.top.level, 2u);
-    const rsh_box_group& top = boxes.groups[boxes.top.group];
-    ASSERT_NE(top.below[0], top.below[1]);
-    for (const uint32_t group : {top.below[0], top.below[1]}) {
+    uint32_t groups = 0;
+    for (const uint32_t group : boxes.groups[boxes.top.groups.end - 1].below) {
+        if (group & RSH_IS_CLUSTER) continue;
         std::set<bool> sides;
         for (const uint32_t below : boxes.groups[group].below)
-            for (const uint32_t clump : clumps_in(boxes.clusters[below & ~RSH_SCALED], count))
-                sides.insert(clump < near);
+            if (below != RSH_NO_BOX)
+                for (const uint32_t clump :
+                     clumps_in(boxes.clusters[RSH_BELOW_NUMBER(below)], count))
+                    sides.insert(clump < near);
         EXPECT_EQ(sides.size(), 1u) << "group " << group;
+        ++groups;
     }
+    EXPECT_GT(groups, 0u);
 }
 
 struct Sides {
@@ -137,7 +140,9 @@ TEST(BoxCuts, FindRoomAtAnySize) {
             points.push_back(40.0f * Float3(random.unit(), random.unit(), random.unit()));
         test::Mesh mesh = clumps_at(random, points, 9);
         mesh.vertices.resize(3 * size);
-        expect_contained(mesh, test::bound_boxes(test::DeviceMesh(mesh)));
+        const test::DeviceMesh scene(mesh);
+        expect_contained(mesh, test::bound_boxes(scene));
+        expect_contained(mesh, test::kept_boxes({&scene})[0]);
     }
 }
 

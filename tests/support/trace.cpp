@@ -76,10 +76,11 @@ private:
         RSH_CHECK(rsh_bound_query(context_, &bound, &sizes));
         bounds_ = std::make_unique<Bytes>(sizes.output_bytes);
         bound.bounds = desc.bounds = bounds_->get();
+        bound.update = earlier ? RSH_UPDATE_FIRST : RSH_UPDATE_NONE;
         RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
         if (!earlier) return;
         bound.geometry = mesh.geometry();
-        bound.update = 1;
+        bound.update = RSH_UPDATE_NEXT;
         RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
     }
 
@@ -164,9 +165,9 @@ public:
 
     void fill(const T& item) const { bounds_->write(std::vector<T>(bounds_->count(), item)); }
 
-    std::vector<T> bound(const DeviceMesh& mesh, bool is_update) {
+    std::vector<T> bound(const DeviceMesh& mesh, cl_uint update) {
         desc_.geometry = mesh.geometry();
-        desc_.update = is_update;
+        desc_.update = update;
         RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc_, 0, nullptr, nullptr));
         expect_guards(bounds_->guards_intact(), "bounds");
         return bounds_->read();
@@ -193,10 +194,20 @@ SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
     return made;
 }
 
+std::vector<SceneBoxes> boxes_of(const std::vector<const DeviceMesh*>& frames, cl_uint first) {
+    BoundFrames<uint32_t> bounds(*frames[0], RSH_BOUND_BOX);
+    std::vector<SceneBoxes> made;
+    for (const DeviceMesh* mesh : frames)
+        made.push_back(
+            scene_boxes(bounds.bound(*mesh, made.empty() ? first : cl_uint{RSH_UPDATE_NEXT}),
+                        mesh->geometry().triangle_count));
+    return made;
+}
+
 }  // namespace
 
 std::vector<cl_float4> bound(const DeviceMesh& mesh) {
-    return BoundFrames<cl_float4>(mesh, RSH_BOUND_CONE).bound(mesh, false);
+    return BoundFrames<cl_float4>(mesh, RSH_BOUND_CONE).bound(mesh, RSH_UPDATE_NONE);
 }
 
 SceneBoxes bound_boxes(const DeviceMesh& mesh) {
@@ -204,18 +215,17 @@ SceneBoxes bound_boxes(const DeviceMesh& mesh) {
 }
 
 std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames) {
-    BoundFrames<uint32_t> bounds(*frames[0], RSH_BOUND_BOX);
-    std::vector<SceneBoxes> made;
-    for (const DeviceMesh* mesh : frames)
-        made.push_back(
-            scene_boxes(bounds.bound(*mesh, !made.empty()), mesh->geometry().triangle_count));
-    return made;
+    return boxes_of(frames, RSH_UPDATE_NONE);
+}
+
+std::vector<SceneBoxes> kept_boxes(const std::vector<const DeviceMesh*>& frames) {
+    return boxes_of(frames, RSH_UPDATE_FIRST);
 }
 
 SceneBoxes boxes_updated_from(const DeviceMesh& mesh, uint8_t byte) {
     BoundFrames<uint32_t> bounds(mesh, RSH_BOUND_BOX);
     bounds.fill(0x01010101u * byte);
-    return scene_boxes(bounds.bound(mesh, true), mesh.geometry().triangle_count);
+    return scene_boxes(bounds.bound(mesh, RSH_UPDATE_NEXT), mesh.geometry().triangle_count);
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

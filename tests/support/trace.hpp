@@ -67,6 +67,8 @@ struct SceneBoxes {
 SceneBoxes bound_boxes(const DeviceMesh& mesh);
 // The same after each frame: as many triangles in each; all but the first are updates.
 std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames);
+// The first is made to be kept.
+std::vector<SceneBoxes> kept_boxes(const std::vector<const DeviceMesh*>& frames);
 // Of an update of bounds that hold nothing but this byte.
 SceneBoxes boxes_updated_from(const DeviceMesh& mesh, uint8_t byte);
 
@@ -77,7 +79,7 @@ struct TraceOptions {
     size_t budget = 0;
     bool own_scratch = false;             // the caller's scratch instead of the context's pool
     bool own_bounds = false;              // from rsh_bound instead of made in scratch
-    const DeviceMesh* earlier = nullptr;  // own bounds were made of this one and updated
+    const DeviceMesh* earlier = nullptr;  // own bounds were kept from this one
     bool converging = false;              // nodes bound the rays from t = 1
     rsh_context context = nullptr;        // null: the device's
 };

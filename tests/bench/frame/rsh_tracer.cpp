@@ -32,6 +32,7 @@ RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size si
     : device_(device), size_(size), is_shadow_(is_shadow), is_updated_(column.is_updated) {
     bound_.struct_size = sizeof bound_;
     bound_.geometry = geometry;
+    bound_.update = is_updated_ ? RSH_UPDATE_FIRST : RSH_UPDATE_NONE;
     build_.struct_size = sizeof build_;
     build_.width = size.width;
     build_.height = size.height;
@@ -84,7 +85,7 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
                 "rsh_traverse");
         device_.queue().finish();
     });
-    bound_.update = is_updated_;
+    if (is_updated_) bound_.update = RSH_UPDATE_NEXT;
     times.build = end_ms(build) - end_ms(bound);
     times.traverse = end_ms(traverse) - end_ms(build);
     times.bound = times.total - times.build - times.traverse;
