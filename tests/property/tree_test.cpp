@@ -58,6 +58,38 @@ TEST(BoxTrees, OfGrowingDistancesAreNotDeep) {
     }
 }
 
+// By their surfaces alone, the two clusters at each place would make a group, more groups than
+// there is room for.
+TEST(BoxTrees, OfTwosThatStandApart) {
+    test::Random random(35);
+    const int side = test::small() ? 1 : 6;
+    test::Mesh mesh;
+    for (int cell = 0; cell < side * side * side; ++cell)
+        for (int place = 0; place < 16; ++place) {
+            const Float3 corner(float(cell % side), float(cell / side % side),
+                                float(cell / side / side));
+            const Float3 at = corner + 0.25f * Float3(float(place & 1) * 2, float(place & 2),
+                                                      float(place / 4));
+            for (int k = 0; k < 2; ++k)
+                add_clump(mesh, random, at + Float3(0.004f * float(k), 0, 0), 0.001f);
+        }
+    expect_kept(mesh);
+}
+
+// intersect.h scales the triangles of one of the frames, not of the other.
+TEST(BoxTrees, FitTrianglesOfAnotherSize) {
+    test::Random random(36);
+    const test::Mesh large = test::random_soup(random, 500);
+    test::Mesh tiny = large;
+    for (Float3& v : tiny.vertices) v = 0x1p-30f * v;
+    const test::DeviceMesh first(large), second(tiny);
+    const std::vector<test::SceneBoxes> boxes = test::kept_boxes({&first, &second, &first});
+    expect_contained(large, boxes[0]);
+    expect_contained(tiny, boxes[1]);
+    expect_contained(large, boxes[2]);
+    EXPECT_EQ(boxes[0].order, boxes[1].order) << "it was not kept";
+}
+
 // All pairs alike; no surface at all; surfaces that overflow.
 TEST(BoxTrees, OfBoxesAllAlike) {
     const uint32_t side = test::small() ? 8 : 60;
