@@ -18,8 +18,8 @@
 #include "bound_boxes.h"
 #include "cut_boxes.h"
 
-/* How far in the row a box looks for another, to both sides. 2 does for all scenes but one, where
- * bundles open half as many boxes again; 8 and 16 gain nothing. */
+/* How far in the row a box looks for another, to both sides. Two places do for all scenes but
+ * one, whose bundles open half as many boxes again; 8 and 16 gain nothing. */
 #define RSH_REACH 4
 
 /* After so many rounds, neighbours become one whatever they are: rows of boxes that each would
