@@ -141,6 +141,7 @@ static void grow_part(const rsh_tree* tree, float price, uint part, uint cluster
     for (uint i = 0; i < tops.count; ++i) made->top[i] = tops.number[i];
     made->tops = tops.count;
     made->waiting = RSH_NO_BRANCH;
+    made->first_group = (part + 1) * tree->shape.part_groups;
 }
 
 /* A work-item makes the clusters of a part, and the groups or the tree above them. */
@@ -210,11 +211,13 @@ __kernel void rsh_bound_top(rsh_scene_shape scene_shape, __global const rsh_sort
         for (uint i = 0; i < growing.parts[p].tops; ++i)
             add_top(&growing, &tops, growing.parts[p].top[i]);
     grow_tree(&growing, price, &tops, 2 * RSH_CLUSTERS(shape), 1);
-    growing.parts[shape.parts].waiting = RSH_NO_BRANCH;
-    rsh_group_range groups = {0, RSH_GROUPS(shape)};
-    make_group(&growing, tops.number[0], groups.end - 1, boxes);
-    groups.first = make_waiting_groups(&growing, shape.parts, groups.end - 1, boxes);
-    *scene_top(&shape, boxes) = (rsh_scene_top){groups, shape.triangles};
+    __global rsh_tree_part* above = growing.parts + shape.parts;
+    const uint end = RSH_GROUPS(shape);
+    above->waiting = RSH_NO_BRANCH;
+    above->first_group = end - 1;
+    make_group(&growing, tops.number[0], end - 1, boxes);
+    make_waiting_groups(&growing, above, boxes);
+    *scene_top(&shape, boxes) = (rsh_scene_top){{above->first_group, end}, shape.triangles};
 }
 
 /* What a part has, and will be read in no order. */
@@ -238,7 +241,7 @@ __kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
     if (!sorting->is_needed) return;
     const rsh_tree grown = tree_in(shape, loose, tree);
     expect_part(&grown, me);
-    rsh_group_range groups = {0, (me + 1) * shape.part_groups};
-    groups.first = make_waiting_groups(&grown, me, groups.end, boxes);
-    part_counts(&shape, boxes)[me].groups = groups;
+    make_waiting_groups(&grown, grown.parts + me, boxes);
+    part_counts(&shape, boxes)[me].groups =
+        (rsh_group_range){grown.parts[me].first_group, (me + 1) * shape.part_groups};
 }

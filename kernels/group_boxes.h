@@ -8,7 +8,8 @@
  * group, but for the topmost, has at least one in it or 9 clusters. On the average each uses 9
  * slots at least: of G groups above L clusters, 9 G <= G - 1 + L, or G <= (L - 1) / 8. The
  * same holds among the groups of one part.
- * Groups get their numbers from the last on, so that those in them come before.
+ * Groups get their numbers from the last on, so that those in them come before; those of one
+ * group are neighbours.
  */
 #ifndef RSH_GROUP_BOXES_H
 #define RSH_GROUP_BOXES_H
@@ -70,19 +71,20 @@ static rsh_slots slots_below(const rsh_tree* tree, uint number)
     return slots;
 }
 
-/* The branch is to be a group: by that of the part which it is in. slot: in the group above. */
-static void put_off(const rsh_tree* tree, uint number, uint slot)
+/* The branch is to be a group, of the part that it is in. Returns the group's number. */
+static uint put_off(const rsh_tree* tree, uint number)
 {
     __global rsh_box_branch* branch = branch_of(tree, number);
     const uint at = number - RSH_CLUSTERS(tree->shape);
-    const uint part = min(at / tree->shape.part_clusters, tree->shape.parts);
-    branch->slot = slot;
-    branch->next = tree->parts[part].waiting;
-    tree->parts[part].waiting = number;
+    __global rsh_tree_part* part =
+        tree->parts + min(at / tree->shape.part_clusters, tree->shape.parts);
+    branch->group = --part->first_group;
+    branch->next = part->waiting;
+    part->waiting = number;
+    return branch->group;
 }
 
-static void store_slots(const rsh_tree* tree, const rsh_slots* slots, uint group,
-                        __global float* at)
+static void store_slots(const rsh_tree* tree, const rsh_slots* slots, __global float* group)
 {
     float side[6][16];
     uint below[16];
@@ -92,39 +94,30 @@ static void store_slots(const rsh_tree* tree, const rsh_slots* slots, uint group
         __global const float* of = sides_of(tree, number);
         for (uint f = 0; f < 6; ++f)
             side[f][k] = is_there ? of[f] : f < 3 ? INFINITY : -INFINITY;
-        below[k] = RSH_NO_BOX;
-        if (!is_there) continue;
-        if (is_branch(tree, number))
-            put_off(tree, number, 16 * group + k); /* which puts its number there */
-        else
-            below[k] = tree->clusters[number].below;
+        below[k] = !is_there                 ? RSH_NO_BOX
+                   : is_branch(tree, number) ? put_off(tree, number)
+                                             : tree->clusters[number].below;
     }
-    for (uint f = 0; f < 6; ++f) vstore16(vload16(0, side[f]), f, at);
-    vstore16(vload16(0, below), 0, (__global uint*)at + RSH_BELOW_AT);
+    for (uint f = 0; f < 6; ++f) vstore16(vload16(0, side[f]), f, group);
+    vstore16(vload16(0, below), 0, (__global uint*)group + RSH_BELOW_AT);
 }
 
 /* Makes the group of a branch, or of the scene's only cluster. */
 static void make_group(const rsh_tree* tree, uint number, uint group, __global float* boxes)
 {
     const rsh_slots slots = slots_below(tree, number);
-    store_slots(tree, &slots, group, boxes + box_group_at(&tree->shape, group));
+    store_slots(tree, &slots, boxes + box_group_at(&tree->shape, group));
 }
 
-/* Makes the groups that wait for the part, and those in them that do then; `end` is behind the
- * number of the first of them. Returns that of the last, or end. */
-static uint make_waiting_groups(const rsh_tree* tree, uint part, uint end,
+/* Makes the groups that wait for a part, and those in them that do then. */
+static void make_waiting_groups(const rsh_tree* tree, __global rsh_tree_part* part,
                                 __global float* boxes)
 {
-    uint group = end, number;
-    while ((number = tree->parts[part].waiting) != RSH_NO_BRANCH) {
-        __global const rsh_box_branch* branch = branch_of(tree, number);
-        tree->parts[part].waiting = branch->next;
-        --group;
-        ((__global uint*)boxes)[box_group_at(&tree->shape, branch->slot / 16) + RSH_BELOW_AT +
-                                branch->slot % 16] = group;
-        make_group(tree, number, group, boxes);
+    while (part->waiting != RSH_NO_BRANCH) {
+        const uint number = part->waiting;
+        part->waiting = branch_of(tree, number)->next;
+        make_group(tree, number, branch_of(tree, number)->group, boxes);
     }
-    return group;
 }
 
 #endif

@@ -134,7 +134,7 @@ typedef struct rsh_box_branch {
     rsh_uint below[2];
     rsh_uint clusters;
     rsh_uint shares[4];  /* a byte for each number of slots: those of the first; 0: a group */
-    rsh_uint slot, next; /* of what waits to be a group: 16 * the group above + k; another */
+    rsh_uint group, next; /* of what waits to be a group: its number; another that waits */
     rsh_uint unused;
 } rsh_box_branch;
 RSH_ASSERT_SIZE(rsh_box_branch, 64);
@@ -145,9 +145,10 @@ RSH_ASSERT_SIZE(rsh_box_branch, 64);
 typedef struct rsh_tree_part {
     rsh_uint top[RSH_PART_TOPS];
     rsh_uint tops;
-    rsh_uint waiting; /* RSH_NO_BRANCH: none */
+    rsh_uint waiting;     /* RSH_NO_BRANCH: none */
+    rsh_uint first_group; /* the lowest number taken by now */
 } rsh_tree_part;
-RSH_ASSERT_SIZE(rsh_tree_part, 24);
+RSH_ASSERT_SIZE(rsh_tree_part, 28);
 
 /* The tree while it grows: branches of the parts, then those above; what they cost; parts; and
  * words for rsh_tops, part by part, then for what is above them. */
