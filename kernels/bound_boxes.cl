@@ -4,7 +4,7 @@
  *   vertices, indices  in      triangles
  *   spans              in      the scene's extent, from rsh_order_measure
  *   boxes              in/out  see scene_boxes.h; in: the order of the triangles
- *   loose              -       boxes around clusters, by their numbers
+ *   loose              -       boxes around clusters, by their numbers, then around groups
  *   tree               -       RSH_TREE_WORDS; see kernel_types.h
  * Nothing is done where the order is the one that there was: refit_boxes.cl.
  * Does not look at rays.

@@ -80,6 +80,13 @@ static void end_level(rsh_level_in* level, bool is_top, const rsh_scene_shape* s
     store_groups(level, shape, boxes, loose);
 }
 
+static void begin_levels(rsh_level_in* level, float price, uint first_group)
+{
+    level->row.count = 0;
+    level->price = fmin(price, RSH_MOST_SURFACE);
+    level->next_group = first_group;
+}
+
 /* Groups of the clusters of a part. */
 static rsh_group_range group_part(const rsh_scene_shape* shape, float price, uint part,
                                   uint clusters, __global float* boxes,
@@ -88,9 +95,7 @@ static rsh_group_range group_part(const rsh_scene_shape* shape, float price, uin
     const uint first = part * shape->part_clusters;
     rsh_group_range made = {part * shape->part_groups, 0};
     rsh_level_in level;
-    level.row.count = 0;
-    level.price = price;
-    level.next_group = made.first;
+    begin_levels(&level, price, made.first);
     add_boxes_from(&level, first, first + clusters, shape, boxes, loose);
     end_level(&level, false, shape, boxes, loose);
     made.end = level.next_group;
@@ -103,9 +108,7 @@ static rsh_group_range group_levels(const rsh_scene_shape* shape, float price,
 {
     rsh_group_range made = {first_upper_group(shape), 0};
     rsh_level_in level;
-    level.row.count = 0;
-    level.price = price;
-    level.next_group = made.first;
+    begin_levels(&level, price, made.first);
     const uint groups_at = RSH_CLUSTERS(*shape);
     for (uint p = 0; p < shape->parts; ++p) {
         const rsh_group_range of = part_counts(shape, boxes)[p].groups;
@@ -114,7 +117,7 @@ static rsh_group_range group_levels(const rsh_scene_shape* shape, float price,
     end_level(&level, true, shape, boxes, loose);
     for (uint first = made.first; level.next_group - first > 1;) {
         const uint end = level.next_group;
-        level.price *= RSH_MEAN_RUN;
+        level.price = fmin(RSH_MEAN_RUN * level.price, RSH_MOST_SURFACE);
         add_boxes_from(&level, groups_at + first, groups_at + end, shape, boxes, loose);
         end_level(&level, true, shape, boxes, loose);
         first = end;

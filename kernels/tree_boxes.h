@@ -90,8 +90,7 @@ typedef struct rsh_tops {
 static rsh_tops no_tops(const rsh_tree* tree, uint part)
 {
     const uint room = tree->shape.part_clusters, parts = tree->shape.parts;
-    const uint stride =
-        (part < parts ? room : RSH_PART_TOPS * parts) + RSH_TOPS_MARGIN;
+    const uint stride = (part < parts ? room : RSH_PART_TOPS * parts) + RSH_TOPS_MARGIN;
     __global float* words = tree->tops + (ulong)RSH_TOPS_WORDS(room) * part;
     rsh_tops tops = {words + 16, (__global uint*)(words + 6ul * stride),
                      (__global uint*)(words + 7ul * stride), stride, 0};
@@ -141,17 +140,13 @@ static void look_at(const rsh_tops* tops, rsh_search* search, int step, intv who
  * looks there first. */
 static void find_mates(const rsh_tops* tops)
 {
-    const intv is_even = (RSH_LANES & 1) == (intv)(0), all = is_even | !is_even;
+    const intv all = RSH_LANES >= (intv)(0);
     for (uint i = 0; i < tops->count; i += RSH_WIDTH) {
         rsh_search search;
         search.first = i;
         search.surface = (floatv)(INFINITY);
         search.mate = as_uintv(RSH_LANES) + i;
-#if RSH_WIDTH == 1
-        const intv is_first = !(i & 1);
-#else
-        const intv is_first = is_even;
-#endif
+        const intv is_first = ((RSH_LANES + (int)i) & 1) == (intv)(0);
         for (uint f = 0; f < 6; ++f)
             search.side[f] = load_lanes(tops->side + ((ulong)f * tops->stride + i));
         look_at(tops, &search, 1, is_first);
