@@ -1,7 +1,7 @@
 // layout_test.cpp - where the parts of a scratch buffer lie: none over another, unless it says so.
-#include "core/layout.hpp"
-
 #include <gtest/gtest.h>
+
+#include "../../lib/core/layout.hpp"
 
 namespace {
 
