@@ -12,6 +12,7 @@
 #include "cut_boxes.h"
 #include "group_boxes.h"
 #include "group_runs.h"
+#include "grow_tree.h"
 #include "sort.h"
 
 /* What a run costs besides its surface, as a part of the scene's by the number of runs. The
@@ -120,7 +121,7 @@ static void store_clusters(rsh_part_in* part, __global float* boxes,
         bound_run(&part->row, first, length, around.side);
         pad_box(around.side);
         const bool is_scaled = store_cluster(part, first, length, boxes + cluster_at(cluster));
-        around.below = cluster | RSH_IS_CLUSTER | (is_scaled ? RSH_SCALED : 0);
+        around.below = below_cluster(cluster, is_scaled);
         loose[cluster] = around;
         first += length;
     }

@@ -24,7 +24,7 @@ static void store_group(const rsh_level_in* level, uint first, uint length,
         const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
 #pragma unroll
         for (uint f = 0; f < 6; ++f)
-            store_lanes(select((floatv)(f < 3 ? INFINITY : -INFINITY),
+            store_lanes(select((floatv)(no_side(f)),
                                load_lanes(level->row.side[f] + first + RSH_WIDTH * v),
                                is_there),
                         group + 16 * f + RSH_WIDTH * v);

@@ -135,7 +135,7 @@ typedef struct rsh_box_branch {
     rsh_uint clusters;
     rsh_uint shares[4];  /* a byte for each number of slots: those of the first; 0: a group */
     rsh_uint group, next; /* of what waits to be a group: its number; another that waits */
-    rsh_uint unused;
+    rsh_uint unused; /* a cache line each */
 } rsh_box_branch;
 RSH_ASSERT_SIZE(rsh_box_branch, 64);
 
@@ -163,7 +163,7 @@ RSH_ASSERT_SIZE(rsh_tree_part, 28);
     (RSH_TOPS_AT(shape) + (shape).parts * RSH_TOPS_WORDS((shape).part_clusters) + \
      RSH_TOPS_WORDS(RSH_PART_TOPS * (shape).parts))
 
-/* Groups that are in one another, at most: a round of tree_boxes.h puts at most one branch on
+/* Groups that are in one another, at most: a round of grow_tree.h puts at most one branch on
  * another. A part of 588 clusters takes 12 rounds and 8 that halve what is left, the parts of
  * 2^28 triangles 12 and 17. */
 #define RSH_MAX_BOX_DEPTH 50

@@ -44,7 +44,7 @@ static void refit_group(const rsh_scene_shape* shape, uint number, __global floa
             (member & RSH_IS_CLUSTER ? clusters : around) +
             (is_there ? RSH_BELOW_NUMBER(member) : 0);
         for (uint f = 0; f < 6; ++f)
-            row[f][k] = is_there ? of->side[f] : f < 3 ? INFINITY : -INFINITY;
+            row[f][k] = is_there ? of->side[f] : no_side(f);
         if (is_there && member & RSH_IS_CLUSTER) below[k] = of->below;
     }
     for (uint f = 0; f < 6; ++f) {
@@ -73,7 +73,7 @@ __kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
         expect_stores(boxes + cluster_at(c + RSH_AHEAD));
         const bool is_scaled =
             refit_cluster(mesh, vertices, indices, boxes + cluster_at(c), around.side);
-        around.below = c | RSH_IS_CLUSTER | (is_scaled ? RSH_SCALED : 0);
+        around.below = below_cluster(c, is_scaled);
         loose[c] = around;
     }
     for (uint g = counts.groups.first; g < counts.groups.end; ++g)

@@ -22,6 +22,15 @@
 
 static ulong cluster_at(uint cluster) { return RSH_CLUSTER_WORDS * cluster; }
 
+/* How a group names a cluster that is in it. */
+static uint below_cluster(uint cluster, bool is_scaled)
+{
+    return cluster | RSH_IS_CLUSTER | (is_scaled ? RSH_SCALED : 0);
+}
+
+/* Sides of a box that holds nothing: low x y z, high x y z. */
+static float no_side(uint f) { return f < 3 ? INFINITY : -INFINITY; }
+
 /* Place: 16 * cluster + where in it. */
 static uint triangle_in_place(__global const float* boxes, uint place)
 {

@@ -93,7 +93,7 @@ RSH_ASSERT_SIZE(rsh_cluster, 640);
 typedef struct rsh_box_group {
     rsh_float low[3][16];
     rsh_float high[3][16];
-    rsh_uint below[16]; /* number of the cluster or group, and which: see kernel_types.h */
+    rsh_uint below[16]; /* its number, and which of them: see kernels/kernel_types.h */
 } rsh_box_group;
 RSH_ASSERT_SIZE(rsh_box_group, 448);
 
