@@ -3,19 +3,19 @@
 // The paper's five steps: (1) rasterize what the camera sees and spawn secondary rays, (2)
 // build the hierarchy over them, (3) push the triangles down it, (4) intersect and shade, (5)
 // repeat from (2) for the rays that the hits spawn. Each line calls a pass; a pass has a kernel
-// file of the same name; rsh.cpp exposes the same passes one by one. Knows no buffer sizes:
-// that is wave.cpp.
+// file of the same name; api/rsh.cpp exposes the same passes one by one. Knows no buffer sizes:
+// that is frame/memory.cpp.
 #include "pipeline.hpp"
 
-#include "core/error.hpp"
-#include "engines/engine.hpp"
-#include "passes/bound.hpp"
-#include "passes/build.hpp"
-#include "passes/clear_colour.hpp"
-#include "passes/rasterize.hpp"
-#include "passes/shade.hpp"
-#include "passes/spawn.hpp"
-#include "wave.hpp"
+#include "bvh/bound.hpp"
+#include "camera/rasterize.hpp"
+#include "device/error.hpp"
+#include "frame/memory.hpp"
+#include "rays/build.hpp"
+#include "shade/clear_colour.hpp"
+#include "shade/shade.hpp"
+#include "shade/spawn.hpp"
+#include "traverse/engine.hpp"
 
 namespace rsh {
 namespace {

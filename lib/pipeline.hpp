@@ -1,8 +1,8 @@
 // pipeline.hpp - the data flow of a frame; see pipeline.cpp.
 #pragma once
 
-#include "bounds/bound.hpp"
-#include "cl/recorder.hpp"
+#include "device/cl/recorder.hpp"
+#include "rays/bound.hpp"
 
 namespace rsh {
 

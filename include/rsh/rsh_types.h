@@ -61,66 +61,6 @@ typedef struct rsh_hit {
 } rsh_hit;
 RSH_ASSERT_SIZE(rsh_hit, 16);
 
-/* Element of the stream that the traversal works on. */
-typedef struct rsh_pair {
-    rsh_uint triangle; /* RSH_NO_HIT: the pair did not survive */
-    rsh_uint node;     /* grid: row * 65536 + column; list: the index; level 0: the ray */
-} rsh_pair;
-RSH_ASSERT_SIZE(rsh_pair, 8);
-
-/* Four sibling nodes, component by component. A node bounds the rays that start inside a
- * sphere and leave inside a cone (Roger et al. 2007):
- *   apex_*   centre of the sphere [world]
- *   radius   of the sphere [world]; negative: the node holds no active ray
- *   axis_*   unit axis of the cone
- *   sine     of the cone's half-angle; 2: the cone is the whole space of directions */
-typedef struct rsh_node_quad {
-    rsh_float4 apex_x, apex_y, apex_z, radius;
-    rsh_float4 axis_x, axis_y, axis_z, sine;
-} rsh_node_quad;
-RSH_ASSERT_SIZE(rsh_node_quad, 128);
-
-/* Up to sixteen triangles side by side, [corner][axis][triangle]; with corners at infinity:
- * none, or one that is never hit. */
-typedef struct rsh_cluster {
-    rsh_float corner[3][3][16];
-    rsh_uint triangle[16]; /* their numbers; RSH_NO_HIT: none */
-} rsh_cluster;
-RSH_ASSERT_SIZE(rsh_cluster, 640);
-
-/* Up to sixteen boxes side by side, around clusters and around other groups. [axis][box]. A box
- * that holds nothing has low = infinity, high = -infinity. */
-typedef struct rsh_box_group {
-    rsh_float low[3][16];
-    rsh_float high[3][16];
-    rsh_uint below[16]; /* its number, and which of them: see kernels/kernel_types.h */
-} rsh_box_group;
-RSH_ASSERT_SIZE(rsh_box_group, 448);
-
-/* Sixteen sibling nodes of the bound `box`: the blocks of a tile. [axis][block]. */
-typedef struct rsh_node_group {
-    rsh_float origin_low[3][16];
-    rsh_float origin_high[3][16];
-    rsh_float direction_low[3][16];
-    rsh_float direction_high[3][16];
-    rsh_float tmax[16];         /* of the farthest ray; -1: the node holds no active ray */
-    rsh_uint is_converging[16]; /* 1: seen from t = 1, backwards; see rsh_build_desc */
-} rsh_node_group;
-RSH_ASSERT_SIZE(rsh_node_group, 896);
-
-/* Sixteen sibling nodes of the bound `cone_fitted`, each fitted to all its rays. [axis][node].
- *   apex, radius  the sphere that the rays start in [world]; radius negative: no active ray
- *   axis          unit axis of the cone that they leave in
- *   spread        of its half-angle a: sin a up to 90 degrees, 2 - sin a beyond; 2: the cone is
- *                 the whole space of directions */
-typedef struct rsh_cone_group {
-    rsh_float apex[3][16];
-    rsh_float radius[16];
-    rsh_float axis[3][16];
-    rsh_float spread[16];
-} rsh_cone_group;
-RSH_ASSERT_SIZE(rsh_cone_group, 512);
-
 /* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
  * Level 0 holds the rays. A node of level l + 1 has fan * fan children of level l: node (x, y)

@@ -1,4 +1,4 @@
-// atomic.cpp - one atomic increment per kept element (reduce_atomic.cl): the shortest strategy,
+// atomic.cpp - one atomic increment per kept element (reduce/atomic.cl): the shortest strategy,
 // and what the others are there to avoid.
 #include "reduce/launch.hpp"
 
@@ -16,7 +16,7 @@ public:
     void enqueue(Recorder& recorder, const ReduceStream& stream,
                  const Scratch&) const override {
         clear_result(recorder, stream);
-        launch(recorder, stream, kernel_for(stream, "reduce_atomic", "rsh_reduce_atomic"),
+        launch(recorder, stream, kernel_for(stream, "reduce/atomic", "rsh_reduce_atomic"),
                recorder.stream_range(), stream.output, stream.output_count,
                stream.output_index);
     }

@@ -1,4 +1,4 @@
-// atomic_group.cpp - one atomic addition per tile (reduce_atomic_group.cl).
+// atomic_group.cpp - one atomic addition per tile (reduce/atomic_group.cl).
 #include "reduce/launch.hpp"
 
 namespace rsh {
@@ -16,7 +16,7 @@ public:
                  const Scratch&) const override {
         const Context& context = recorder.context();
         const Range range = recorder.stream_range();
-        const char* program = "reduce_atomic_group";
+        const char* program = "reduce/atomic_group";
         clear_result(recorder, stream);
         if (has_single_items(context))
             launch(recorder, stream,

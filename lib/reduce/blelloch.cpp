@@ -1,4 +1,4 @@
-// blelloch.cpp - work-efficient prefix sum, then scatter (reduce_blelloch.cl): two launches per
+// blelloch.cpp - work-efficient prefix sum, then scatter (reduce/blelloch.cl): two launches per
 // bit of the count.
 #include "reduce/launch.hpp"
 
@@ -28,7 +28,7 @@ public:
         const cl_mem sums = scratch["reduce sums"];
         const cl_uint leaves = leaf_count(stream.count);
         const auto kernel = [&](const char* name) {
-            return kernel_for(stream, "reduce_blelloch", name);
+            return kernel_for(stream, "reduce/blelloch", name);
         };
         launch(recorder, stream, kernel("rsh_reduce_blelloch_begin"), range, sums);
         for (cl_uint half = 1; half < leaves; half *= 2)

@@ -1,4 +1,4 @@
-// block.cpp - the paper's reduction (reduce_block.cl): blocks on their own, a scan of their
+// block.cpp - the paper's reduction (reduce/block.cl): blocks on their own, a scan of their
 // counts, then each block's run moved to its place. Two strategies that differ in the first
 // step: `block` scatters within a block, `block_search` searches as the paper had to.
 #include <algorithm>
@@ -29,7 +29,7 @@ public:
         const cl_mem runs = scratch["reduce runs"], counts = scratch["reduce counts"];
         reduce_blocks(recorder, stream, runs, counts);
         scan_counts(recorder, stream, counts, blocks);
-        launch(recorder, stream, kernel_for(stream, "reduce_block", "rsh_reduce_block_move"),
+        launch(recorder, stream, kernel_for(stream, "reduce/block", "rsh_reduce_block_move"),
                recorder.stream_range(), block_size(recorder.context()), blocks, runs, counts,
                stream.output_count, stream.output_index, stream.output);
     }
@@ -44,7 +44,7 @@ protected:
             reduce_in_groups(recorder, stream, "rsh_reduce_block_scatter", runs, counts);
             return;
         }
-        launch(recorder, stream, kernel_for(stream, "reduce_block", "rsh_reduce_block_items"),
+        launch(recorder, stream, kernel_for(stream, "reduce/block", "rsh_reduce_block_items"),
                recorder.stream_range(), kItemBlock,
                block_count(recorder.context(), stream.count), runs, counts);
     }
@@ -56,7 +56,7 @@ protected:
     void reduce_in_groups(Recorder& recorder, const ReduceStream& stream, const char* kernel,
                           cl_mem runs, cl_mem counts) const {
         const Context& context = recorder.context();
-        launch(recorder, stream, kernel_for(stream, "reduce_block", kernel),
+        launch(recorder, stream, kernel_for(stream, "reduce/block", kernel),
                groups(context, block_count(context, stream.count)), runs, counts,
                group_words(context));
     }

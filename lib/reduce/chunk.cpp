@@ -1,4 +1,4 @@
-// chunk.cpp - one run of elements per work-item (reduce_chunk.cl): count, then write; a short
+// chunk.cpp - one run of elements per work-item (reduce/chunk.cl): count, then write; a short
 // stream by one work-item at once. No barrier, no local memory: safe on any driver, and quick
 // where cores are few and caches large.
 #include "reduce/launch.hpp"
@@ -28,7 +28,7 @@ public:
         const Context& context = recorder.context();
         const auto kernel = [&](const char* name) {
             return stream.program ? KernelName{stream.program, name}
-                                  : kernel_for(stream, "reduce_chunk", name);
+                                  : kernel_for(stream, "reduce/chunk", name);
         };
         if (is_short(context, stream.count)) {
             launch(recorder, stream, kernel("rsh_reduce_chunk_alone"), single_items(1),

@@ -1,5 +1,5 @@
-// count_emit.cpp - decides once, into a bit per element (reduce_count_emit.cl), then emits what
-// the bits keep (reduce_chunk.cl). Reads elements twice only where they are kept.
+// count_emit.cpp - decides once, into a bit per element (reduce/count_emit.cl), then emits what
+// the bits keep (reduce/chunk.cl). Reads elements twice only where they are kept.
 #include "reduce/launch.hpp"
 
 namespace rsh {
@@ -25,9 +25,9 @@ public:
         decided.keep = RSH_KEEP_BITS;
         decided.flags = scratch["reduce bits"];
         launch(recorder, stream,
-               kernel_for(stream, "reduce_count_emit", "rsh_reduce_count_emit_count"), range,
+               kernel_for(stream, "reduce/count_emit", "rsh_reduce_count_emit_count"), range,
                decided.flags, counts);
-        launch(recorder, decided, kernel_for(decided, "reduce_chunk", "rsh_reduce_chunk_write"),
+        launch(recorder, decided, kernel_for(decided, "reduce/chunk", "rsh_reduce_chunk_write"),
                range, counts, stream.output, stream.output_count, stream.output_index);
     }
 };

@@ -1,4 +1,4 @@
-// horn.cpp - log-step compaction (reduce_horn.cl): as many launches as the count has bits.
+// horn.cpp - log-step compaction (reduce/horn.cl): as many launches as the count has bits.
 #include <algorithm>
 #include <utility>
 
@@ -22,7 +22,7 @@ public:
                  const Scratch& scratch) const override {
         const Range range = recorder.stream_range();
         const auto kernel = [&](const char* name) {
-            return kernel_for(stream, "reduce_horn", name);
+            return kernel_for(stream, "reduce/horn", name);
         };
         cl_mem sums = scratch["reduce sums"], next = scratch["reduce next sums"];
         launch(recorder, stream, kernel("rsh_reduce_horn_begin"), range, sums);

@@ -40,13 +40,13 @@ inline cl_uint group_items(const Context& context) {
     return static_cast<cl_uint>(context.caps.group_size);
 }
 
-// Elements that a group works off at a time: RSH_PER_ITEM of reduce_tile.h per work-item.
+// Elements that a group works off at a time: RSH_PER_ITEM of reduce/tile.h per work-item.
 inline cl_uint group_tile(const Context& context) {
     return 4 * group_items(context);
 }
 
 // Elements that a single item counts and then packs out of the cache: 128 KB, but enough tiles
-// for all cores to end at about the same time. A multiple of RSH_RUN_STEP of reduce_run.h.
+// for all cores to end at about the same time. A multiple of RSH_RUN_STEP of reduce/run.h.
 inline cl_uint item_tile(const Context& context, const ReduceShape& shape) {
     const cl_uint fair = shape.count / (8 * context.caps.compute_units);
     const cl_uint most = (128u << 10) / shape.element_bytes;
@@ -81,7 +81,7 @@ void launch(Recorder& recorder, const ReduceStream& stream, const KernelName& na
 inline void scan_counts(Recorder& recorder, const ReduceStream& stream, cl_mem counts,
                         cl_uint blocks) {
     const Context& context = recorder.context();
-    recorder.launch(RSH_STAGE_REDUCE, {"reduce_scan_counts", "rsh_reduce_scan_counts"},
+    recorder.launch(RSH_STAGE_REDUCE, {"reduce/scan_counts", "rsh_reduce_scan_counts"},
                     groups(context, 1), counts, blocks, stream.output_count,
                     stream.output_index, group_words(context));
 }

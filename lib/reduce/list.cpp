@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "device/error.hpp"
 #include "reduce/strategy.hpp"
 
 namespace rsh {

@@ -1,5 +1,5 @@
 // lookback.cpp - one pass over the stream: each tile learns from those before it where it goes
-// (reduce_lookback.cl). Reads every element once from memory.
+// (reduce/lookback.cl). Reads every element once from memory.
 #include <algorithm>
 
 #include "reduce/launch.hpp"
@@ -37,7 +37,7 @@ public:
         const cl_mem states = scratch["reduce states"];
         const auto kernel = [&](const char* name) {
             return stream.program ? KernelName{stream.program, name}
-                                  : kernel_for(stream, "reduce_lookback", name);
+                                  : kernel_for(stream, "reduce/lookback", name);
         };
         recorder.fill(RSH_STAGE_REDUCE, states, 0,
                       state_count(context, shape) * sizeof(cl_uint));

@@ -1,4 +1,4 @@
-// scan_scatter.cpp - prefix sums in work-groups, then scatter (reduce_scan_scatter.cl). The
+// scan_scatter.cpp - prefix sums in work-groups, then scatter (reduce/scan_scatter.cl). The
 // usual choice on devices with many small cores.
 #include <algorithm>
 
@@ -29,7 +29,7 @@ public:
         const cl_uint count = group_count(context, stream.count);
         const cl_mem counts = scratch["reduce counts"];
         const auto kernel = [&](const char* name) {
-            return kernel_for(stream, "reduce_scan_scatter", name);
+            return kernel_for(stream, "reduce/scan_scatter", name);
         };
         launch(recorder, stream, kernel("rsh_reduce_scan_scatter_count"),
                groups(context, count), counts, group_words(context));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/error.hpp"
+#include "device/error.hpp"
 
 namespace rsh {
 namespace {

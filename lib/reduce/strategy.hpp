@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "cl/recorder.hpp"
-#include "cl/scratch.hpp"
+#include "device/cl/recorder.hpp"
+#include "device/cl/scratch.hpp"
 
 namespace rsh {
 

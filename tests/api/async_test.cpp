@@ -3,8 +3,8 @@
 
 #include <thread>
 
-#include "../support/compare.hpp"
-#include "valid_calls.hpp"
+#include "api/valid_calls.hpp"
+#include "support/compare.hpp"
 
 namespace {
 

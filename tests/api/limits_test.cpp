@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "valid_calls.hpp"
+#include "api/valid_calls.hpp"
 
 namespace {
 

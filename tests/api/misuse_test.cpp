@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "valid_calls.hpp"
+#include "api/valid_calls.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <thread>
 
-#include "../support/compare.hpp"
-#include "valid_calls.hpp"
+#include "api/valid_calls.hpp"
+#include "support/compare.hpp"
 
 namespace {
 

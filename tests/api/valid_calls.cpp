@@ -1,5 +1,5 @@
 // valid_calls.cpp - the descriptors, and the look at all outputs.
-#include "valid_calls.hpp"
+#include "api/valid_calls.hpp"
 
 namespace test {
 namespace {

@@ -3,8 +3,9 @@
 // shows.
 #pragma once
 
-#include "../support/render.hpp"
-#include "../support/trace.hpp"
+#include "rays/types.h"
+#include "support/render.hpp"
+#include "support/trace.hpp"
 
 namespace test {
 

@@ -1,12 +1,12 @@
 // closest.cpp - gathers what every ray may hit, and judges answers by it.
-#include "closest.hpp"
+#include "oracle/closest.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <thread>
 
-#include "../support/compare.hpp"
-#include "filter.hpp"
+#include "oracle/filter.hpp"
+#include "support/compare.hpp"
 
 namespace oracle {
 namespace {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "../support/mesh.hpp"
-#include "../support/rays.hpp"
-#include "hit.hpp"
+#include "oracle/hit.hpp"
+#include "support/mesh.hpp"
+#include "support/rays.hpp"
 
 namespace oracle {
 

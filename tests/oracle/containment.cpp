@@ -1,8 +1,9 @@
 // containment.cpp - differences, squares and products of floats in 64 bits of mantissa: their
 // rounding (2^-62 relative) is far below the last bit of any float that could decide.
-#include "containment.hpp"
+#include "oracle/containment.hpp"
 
-#include "../support/rays.hpp"
+#include "rays/types.h"
+#include "support/rays.hpp"
 
 namespace oracle {
 namespace {

@@ -4,7 +4,8 @@
 
 #include <rsh/rsh_types.h>
 
-#include "../support/mesh.hpp"
+#include "rays/types.h"
+#include "support/mesh.hpp"
 
 namespace oracle {
 

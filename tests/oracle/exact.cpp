@@ -1,5 +1,5 @@
 // exact.cpp - sums and products of expansions. Compiled without floating-point contraction.
-#include "exact.hpp"
+#include "oracle/exact.hpp"
 
 #include <cmath>
 #include <vector>

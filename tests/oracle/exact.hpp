@@ -6,7 +6,7 @@
 // overflows. Slow; called only where double precision cannot tell.
 #pragma once
 
-#include "../support/vec.hpp"
+#include "support/vec.hpp"
 
 namespace oracle {
 

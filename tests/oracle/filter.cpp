@@ -1,10 +1,10 @@
 // filter.cpp - the vectorized loop. Compiled with -fno-trapping-math, which it needs to
 // vectorize.
-#include "filter.hpp"
+#include "oracle/filter.hpp"
 
 #include <algorithm>
 
-#include "../support/rays.hpp"
+#include "support/rays.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define RSH_TEST_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))

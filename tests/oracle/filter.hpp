@@ -7,7 +7,7 @@
 
 #include <rsh/rsh_types.h>
 
-#include "../support/mesh.hpp"
+#include "support/mesh.hpp"
 
 namespace oracle {
 

@@ -1,10 +1,10 @@
 // hit.cpp - signed volumes in double, exact signs where double cannot tell.
-#include "hit.hpp"
+#include "oracle/hit.hpp"
 
 #include <algorithm>
 
-#include "../support/rays.hpp"
-#include "exact.hpp"
+#include "oracle/exact.hpp"
+#include "support/rays.hpp"
 
 namespace oracle {
 namespace {

@@ -1,10 +1,10 @@
 // whitted.cpp - the sums of rsh_types.h, one function each.
-#include "whitted.hpp"
+#include "oracle/whitted.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-#include "../support/rays.hpp"
+#include "support/rays.hpp"
 
 namespace oracle {
 namespace {

@@ -3,7 +3,7 @@
 // kernels.
 #pragma once
 
-#include "../support/scene.hpp"
+#include "support/scene.hpp"
 
 namespace oracle {
 

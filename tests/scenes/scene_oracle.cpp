@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <exception>
 
-#include "../oracle/closest.hpp"
-#include "../support/scene.hpp"
-#include "../support/trace.hpp"
+#include "oracle/closest.hpp"
 #include "scene_file.hpp"
+#include "support/scene.hpp"
+#include "support/trace.hpp"
 #include "world.hpp"
 
 namespace {

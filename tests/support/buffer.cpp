@@ -1,5 +1,5 @@
 // buffer.cpp - guards, reading and writing; everything blocks, on the device's own queue.
-#include "buffer.hpp"
+#include "support/buffer.hpp"
 
 namespace test {
 namespace {

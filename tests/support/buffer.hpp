@@ -11,8 +11,8 @@
 #include <cstring>
 #include <vector>
 
-#include "device.hpp"
-#include "random.hpp"
+#include "support/device.hpp"
+#include "support/random.hpp"
 
 namespace test {
 

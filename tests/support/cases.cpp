@@ -1,5 +1,5 @@
 // cases.cpp - the table of cases; sizes shrink on an emulator.
-#include "cases.hpp"
+#include "support/cases.hpp"
 
 namespace test {
 namespace {

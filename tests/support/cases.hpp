@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh.hpp"
-#include "rays.hpp"
+#include "support/mesh.hpp"
+#include "support/rays.hpp"
 
 namespace test {
 

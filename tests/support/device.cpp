@@ -1,6 +1,6 @@
 // device.cpp - finds the device, makes context and queue. Made once per process: programs that
 // a test has built serve the next.
-#include "device.hpp"
+#include "support/device.hpp"
 
 #include <stdexcept>
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "device.hpp"
-#include "random.hpp"
+#include "support/device.hpp"
+#include "support/random.hpp"
 
 namespace {
 

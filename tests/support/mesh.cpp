@@ -1,5 +1,5 @@
 // mesh.cpp - the generators of mesh.hpp. Knows no device.
-#include "mesh.hpp"
+#include "support/mesh.hpp"
 
 #include <limits>
 

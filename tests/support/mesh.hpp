@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "random.hpp"
-#include "vec.hpp"
+#include "support/random.hpp"
+#include "support/vec.hpp"
 
 namespace test {
 

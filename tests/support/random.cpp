@@ -1,5 +1,5 @@
 // random.cpp - reads RSH_SEED and RSH_TEST_SMALL, once.
-#include "random.hpp"
+#include "support/random.hpp"
 
 #include <cstdlib>
 #include <string>

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "vec.hpp"
+#include "support/vec.hpp"
 
 namespace test {
 

@@ -1,5 +1,5 @@
 // rays.cpp - the generators of rays.hpp. Knows no device.
-#include "rays.hpp"
+#include "support/rays.hpp"
 
 #include <limits>
 

@@ -5,7 +5,7 @@
 
 #include <rsh/rsh_types.h>
 
-#include "mesh.hpp"
+#include "support/mesh.hpp"
 
 namespace test {
 

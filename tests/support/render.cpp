@@ -1,5 +1,5 @@
 // render.cpp - descriptors and buffers of the shading calls and of rsh_frame.
-#include "render.hpp"
+#include "support/render.hpp"
 
 namespace test {
 

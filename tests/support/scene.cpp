@@ -1,5 +1,5 @@
 // scene.cpp - building and uploading scenes.
-#include "scene.hpp"
+#include "support/scene.hpp"
 
 namespace test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <rsh/rsh.h>
 
-#include "buffer.hpp"
-#include "mesh.hpp"
+#include "support/buffer.hpp"
+#include "support/mesh.hpp"
 
 namespace test {
 

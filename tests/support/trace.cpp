@@ -1,5 +1,7 @@
 // trace.cpp - descriptors, buffers and waiting, once for all tests.
-#include "trace.hpp"
+#include "support/trace.hpp"
+#include "bvh/types.h"
+#include "rays/types.h"
 
 #include <algorithm>
 #include <cstring>

@@ -6,11 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "bounds/scene_shape.hpp"
-#include "buffer.hpp"
-#include "cases.hpp"
-#include "mesh.hpp"
-#include "rays.hpp"
+#include "bvh/layout.hpp"
+#include "rays/types.h"
+#include "support/buffer.hpp"
+#include "support/cases.hpp"
+#include "support/mesh.hpp"
+#include "support/rays.hpp"
 
 namespace test {
 

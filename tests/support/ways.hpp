@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trace.hpp"
+#include "support/trace.hpp"
 
 namespace test {
 

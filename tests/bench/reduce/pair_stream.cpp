@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "frame/ray_maker.hpp"
+#include "rays/types.h"
 
 namespace bench {
 namespace {

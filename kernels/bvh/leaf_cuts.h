@@ -1,0 +1,166 @@
+/* leaf_cuts.h - a row of boxes, cut into runs of 8 to 16 so that the boxes around the runs have
+ * the least surface. Along a curve, what is close lies together, but where one object ends and
+ * the next begins is anywhere: runs of 16 each straddle it, and rays meet them for nothing.
+ * Half as many clusters are opened where the cuts are free.
+ *
+ * The least sum of surfaces, and a price per run, of any cuts before place j is
+ *   least(j) = min over l = 8 .. 16 of  least(j - l) + surface of [j - l, j) + price
+ * (dynamic programming). Runs are at least 8 long, so that 8 places can be looked at at once;
+ * and the box around any of them is that around its first 8 and its last 8.
+ */
+#ifndef RSH_BVH_LEAF_CUTS_H
+#define RSH_BVH_LEAF_CUTS_H
+
+#include "mesh/boxes16.h"
+
+#define RSH_LEAST_RUN 8
+#define RSH_MEAN_RUN 14.0f /* about */
+
+/* Boxes looked at at once. Cuts far from the end do not depend on what follows; the last two
+ * runs wait for it. */
+#define RSH_WINDOW 192
+#define RSH_WAITING 2
+
+/* Boxes in a row, and their runs from the first on. */
+typedef struct rsh_row {
+    float side[6][RSH_WINDOW + 16];  /* low x y z, high x y z */
+    float eight[6][RSH_WINDOW + 24]; /* of the box around 8, from box i on: at 8 + i */
+    uint count;
+    uint run[RSH_WINDOW / RSH_LEAST_RUN + 1];
+    uint runs;
+} rsh_row;
+
+#define RSH_LESSER8(a, b) select(b, a, a < b)
+#define RSH_GREATER8(a, b) select(b, a, a > b)
+
+/* Sums of surfaces stay finite. */
+#define RSH_MOST_SURFACE 1e30f
+
+/* The lower sides, or the higher, of the first 8 of a and of b. */
+#define RSH_JOIN8(low, a, b) \
+    ((low) ? RSH_LESSER8((a).s01234567, b) : RSH_GREATER8((a).s01234567, b))
+
+/* From the last box to the first, in registers: what is read had otherwise just been written in
+ * pieces of another size, which a CPU waits for. What lies behind the row does not matter. */
+static void bound_eights(rsh_row* row)
+{
+    for (uint f = 0; f < 6; ++f) {
+        const bool low = f < 3;
+        float8 one = (float8)(0.0f), two = one, four = one; /* of the 8 places behind */
+        for (uint i = (row->count + 7) / 8 * 8; i > 0;) {
+            i -= 8;
+            const float16 ones = (float16)(vload8(0, row->side[f] + i), one);
+            one = ones.lo;
+            const float16 twos = (float16)(RSH_JOIN8(low, ones, ones.s12345678), two);
+            two = twos.lo;
+            const float16 fours = (float16)(RSH_JOIN8(low, twos, twos.s23456789), four);
+            four = fours.lo;
+            vstore8(RSH_JOIN8(low, fours, fours.s456789ab), 0, row->eight[f] + 8 + i);
+        }
+        vstore8((float8)(0.0f), 0, row->eight[f]); /* before the row: see find_cuts */
+    }
+}
+
+/* Half the surfaces of 8 boxes. What holds nothing has the most, as has what overflows. */
+static float8 surfaces_of(const float8* side)
+{
+    const float8 most = (float8)(RSH_MOST_SURFACE);
+    const float8 x = side[3] - side[0], y = side[4] - side[1], z = side[5] - side[2];
+    const float8 surface = fma(x, y + z, y * z);
+    return RSH_LESSER8(surface, most);
+}
+
+/* Of the boxes around eight[at], at + 1, ... and `last`. */
+static float8 surfaces_from(const rsh_row* row, uint at, const float8* last)
+{
+    float8 around[6];
+#pragma unroll
+    for (uint f = 0; f < 6; ++f) {
+        const float8 eight = vload8(0, row->eight[f] + at);
+        around[f] = f < 3 ? RSH_LESSER8(eight, last[f]) : RSH_GREATER8(eight, last[f]);
+    }
+    return surfaces_of(around);
+}
+
+/* length[j]: of the run that ends before place j, for the best cuts up to there. No runs end at
+ * places before the row, nor at 1 to 7. */
+static void find_cuts(const rsh_row* row, float price, int* length)
+{
+    float16 least = (float16)(FLT_MAX); /* of the last 16 places */
+    least.s8 = 0.0f;
+    for (uint j = 8; j <= row->count; j += 8) {
+        float16 before = least; /* read in parts: stored once, as a whole */
+        const float* place = (const float*)&before;
+        float8 last[6], sum = (float8)(FLT_MAX);
+        int8 run = (int8)(16);
+#pragma unroll
+        for (uint f = 0; f < 6; ++f) last[f] = vload8(0, row->eight[f] + j);
+        for (uint l = 16; l >= RSH_LEAST_RUN; --l) {
+            const float8 here =
+                vload8(0, place + 16 - l) + surfaces_from(row, 8 + j - l, last);
+            const int8 is_less = here < sum;
+            sum = select(sum, here, is_less);
+            run = select(run, (int8)((int)l), is_less);
+        }
+        vstore8(run, 0, length + j);
+        least = (float16)(least.hi, sum + price);
+    }
+}
+
+/* is_last: the row ends here. Else its last boxes are in no run yet. */
+static void cut_row(rsh_row* row, float price, bool is_last)
+{
+    row->runs = 0;
+    if (row->count < RSH_LEAST_RUN) {
+        if (row->count) row->run[row->runs++] = row->count;
+        return;
+    }
+    int length[RSH_WINDOW + 8];
+    bound_eights(row);
+    find_cuts(row, price, length);
+    for (uint j = row->count; j > 0; j -= length[j]) ++row->runs;
+    uint r = row->runs;
+    for (uint j = row->count; j > 0; j -= length[j]) row->run[--r] = length[j];
+    if (!is_last) row->runs -= RSH_WAITING;
+}
+
+/* Runs of 16, whatever lies there. */
+static void cut_evenly(rsh_row* row, bool is_last)
+{
+    bound_eights(row);
+    row->runs = row->count / 16;
+    for (uint r = 0; r < row->runs; ++r) row->run[r] = 16;
+    if (is_last && row->count % 16) row->run[row->runs++] = row->count % 16;
+}
+
+/* Sides of the box around a run. */
+static void bound_run(const rsh_row* row, uint first, uint length, float* side)
+{
+#pragma unroll
+    for (uint f = 0; f < 6; ++f) {
+        if (length >= RSH_LEAST_RUN) {
+            __private const float* eight = row->eight[f] + 8 + first;
+            const float a = eight[0], b = eight[length - 8];
+            side[f] = (f < 3) == (a < b) ? a : b;
+            continue;
+        }
+        side[f] = row->side[f][first];
+        for (uint i = first + 1; i < first + length; ++i)
+            if ((f < 3) == (row->side[f][i] < side[f])) side[f] = row->side[f][i];
+    }
+}
+
+/* Moves `count` words, and up to 15 behind them, from `done` on to the front. */
+static void shift_words(float* words, uint done, uint count)
+{
+    for (uint i = 0; i < count; i += 16) vstore16(vload16(0, words + done + i), 0, words + i);
+}
+
+/* Moves what is left behind the first `done` boxes to the front. */
+static void shift_row(rsh_row* row, uint done)
+{
+    row->count -= done;
+    for (uint f = 0; f < 6; ++f) shift_words(row->side[f], done, row->count);
+}
+
+#endif

@@ -1,0 +1,213 @@
+/* leaves.h - triangles 16 at a time, and the box around them. */
+#ifndef RSH_BVH_LEAVES_H
+#define RSH_BVH_LEAVES_H
+
+#include "mesh/boxes16.h"
+#include "mesh/intersect.h"
+#include "bvh/layout.h"
+
+/* Corners of 16 triangles, component by component. */
+typedef struct rsh_corner_rows {
+    floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
+} rsh_corner_rows;
+
+/* A word per lane: base[stride * element], element below count. */
+static floatv gather(__global const float* base, uintv element, uint stride, uint count)
+{
+    if (count == 0) return (floatv)(INFINITY);
+    uint number[RSH_WIDTH];
+    float lane[RSH_WIDTH];
+    store_lanes(element, number);
+    for (uint k = 0; k < RSH_WIDTH; ++k) lane[k] = base[(ulong)stride * number[k]];
+    return load_lanes(lane);
+}
+
+/* The triangles `first` and on in their order; 0: that of their numbers. */
+static uintv triangles_from(rsh_mesh mesh, __global const uint* order, uint first)
+{
+    const uintv places = as_uintv(RSH_LANES) + first;
+    if (!order) return places;
+    if (first + RSH_WIDTH <= mesh.triangle_count) return load_lanes(order + first);
+    uint number[RSH_WIDTH];
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        number[k] = first + k < mesh.triangle_count ? order[first + k] : mesh.triangle_count;
+    return load_lanes(number);
+}
+
+/* Corners of triangles, vector v of them. What is never hit has them at infinity, which every
+ * box misses and every test of mesh/intersect.h. */
+static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
+                            __global const uint* indices, uintv triangle, uint v,
+                            rsh_corner_rows* corners)
+{
+    __global const float* words = (__global const float*)indices +
+                                  word_offset(mesh.indices_first_low, mesh.indices_first_high);
+    vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
+    intv is_there = triangle < (uintv)(mesh.triangle_count);
+    triangle = select((uintv)(0u), triangle, as_uintv(is_there));
+    uintv vertex[3];
+#pragma unroll
+    for (uint i = 0; i < 3; ++i) {
+        vertex[i] = mesh.is_indexed
+                        ? as_uintv(gather(words + i, triangle, 3, mesh.triangle_count))
+                        : 3u * triangle + i;
+        is_there &= vertex[i] < (uintv)(mesh.vertex_count);
+    }
+    floatv sum = (floatv)(0.0f);
+#pragma unroll
+    for (uint i = 0; i < 9; ++i) {
+        const uintv of = select((uintv)(0u), vertex[i / 3], as_uintv(is_there));
+        const floatv c = gather(vertices + i % 3, of, mesh.vertex_stride, mesh.vertex_count);
+        corners->row[i / 3][i % 3][v] = c;
+        sum += c - c; /* 0, or NaN if any is not finite */
+    }
+    is_there &= sum == (floatv)(0.0f);
+#pragma unroll
+    for (uint i = 0; i < 9; ++i) {
+        floatv* c = &corners->row[i / 3][i % 3][v];
+        *c = select((floatv)(INFINITY), *c, is_there);
+    }
+}
+
+#ifdef RSH_GATHER
+/* The same for 16 triangles that are all sound, as nearly always: all of their vertices are
+ * there and finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
+static bool load_sound_corners(rsh_mesh mesh, __global const float* vertices,
+                               __global const uint* indices, uint16 triangle,
+                               rsh_corner_rows* corners)
+{
+    if (mesh.vertex_count == 0) return false;
+    if ((ulong)mesh.vertex_stride * mesh.vertex_count > INT_MAX) return false;
+    const uint16 words = 3u * triangle; /* below 2^30 */
+    __global const float* index = (__global const float*)indices +
+                                  word_offset(mesh.indices_first_low, mesh.indices_first_high);
+    vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
+    uint16 vertex[3];
+    int16 is_missing = (int16)(0);
+#pragma unroll
+    for (uint i = 0; i < 3; ++i) {
+        vertex[i] = mesh.is_indexed ? as_uint16(RSH_GATHER(index + i, words)) : words + i;
+        is_missing |= vertex[i] >= (uint16)(mesh.vertex_count);
+    }
+    if (any_lane(is_missing)) return false;
+    float16 sum = (float16)(0.0f);
+#pragma unroll
+    for (uint i = 0; i < 9; ++i) {
+        const float16 c = RSH_GATHER(vertices + i % 3, vertex[i / 3] * mesh.vertex_stride);
+        corners->row[i / 3][i % 3][0] = c;
+        sum = fma(c, (float16)(0.0f), sum); /* 0, or NaN if any is not finite */
+    }
+    return !any_lane(sum != (float16)(0.0f));
+}
+#endif
+
+static void load_corners(rsh_mesh mesh, __global const float* vertices,
+                         __global const uint* indices, __global const uint* order, uint first,
+                         rsh_corner_rows* corners)
+{
+#ifdef RSH_GATHER
+    if (first + 16 <= mesh.triangle_count &&
+        load_sound_corners(mesh, vertices, indices, triangles_from(mesh, order, first),
+                           corners))
+        return;
+#endif
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        load_corners_of(mesh, vertices, indices,
+                        triangles_from(mesh, order, first + RSH_WIDTH * v), v, corners);
+}
+
+/* The same for those that have numbers, up to 16, the others at infinity. */
+static void load_numbered_corners(rsh_mesh mesh, __global const float* vertices,
+                                  __global const uint* indices, __global const uint* number,
+                                  rsh_corner_rows* corners)
+{
+#ifdef RSH_GATHER
+    const uint16 triangle = vload16(0, number);
+    const int16 is_there = triangle < (uint16)(mesh.triangle_count);
+    const uint16 stand_in = (uint16)(number[0]);
+    if (number[0] < mesh.triangle_count &&
+        load_sound_corners(mesh, vertices, indices,
+                           select(stand_in, triangle, as_uint16(is_there)), corners)) {
+#pragma unroll
+        for (uint i = 0; i < 9; ++i) {
+            floatv* c = &corners->row[i / 3][i % 3][0];
+            *c = select((floatv)(INFINITY), *c, is_there);
+        }
+        return;
+    }
+#endif
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        load_corners_of(mesh, vertices, indices, load_lanes(number + RSH_WIDTH * v), v,
+                        corners);
+}
+
+/* Boxes of 16 triangles, not padded; those that are never hit hold nothing. */
+static void boxes_of_corners(const rsh_corner_rows* corners, rsh_boxes* boxes)
+{
+#pragma unroll
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            const floatv a = corners->row[0][axis][v], b = corners->row[1][axis][v],
+                         c = corners->row[2][axis][v];
+            const floatv high = greater(a, greater(b, c));
+            boxes->low[axis][v] = lesser(a, lesser(b, c));
+            boxes->high[axis][v] =
+                select((floatv)(-INFINITY), high, high < (floatv)(INFINITY));
+        }
+}
+
+/* Whether mesh/intersect.h has any of the triangles to scale. */
+static bool is_any_scaled(const rsh_corner_rows* corners)
+{
+    uint scaled = 0;
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        floatv corner[9];
+#pragma unroll
+        for (uint i = 0; i < 9; ++i) corner[i] = corners->row[i / 3][i % 3][v];
+        scaled |= RSH_LANE_BITS((triangle_scale(corner) != (floatv)(1.0f)) &
+                                (corner[0] < (floatv)(INFINITY)));
+    }
+    return scaled != 0;
+}
+
+static void store_corners(const rsh_corner_rows* corners, __global float* cluster)
+{
+#pragma unroll
+    for (uint i = 0; i < 9; ++i)
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            store_whole(__global, corners->row[i / 3][i % 3][v],
+                        cluster + 16 * i + RSH_WIDTH * v);
+}
+
+/* A cluster is about to be written, or read and written. */
+static void expect_stores(__global const float* cluster)
+{
+#ifdef RSH_EXPECT_STORE
+#pragma unroll
+    for (uint i = 0; i < 10; ++i) RSH_EXPECT_STORE(cluster + 16 * i);
+#endif
+}
+
+/* side: low x y z, high x y z. */
+static void pad_box(float* side)
+{
+    if (!(side[0] <= side[3])) return; /* holds nothing */
+    float reach = 0.0f;
+#pragma unroll
+    for (uint f = 0; f < 6; ++f) {
+        const float away = fabs(side[f]);
+        reach = away > reach ? away : reach;
+    }
+    const float pad = pad_of(reach);
+#pragma unroll
+    for (uint f = 0; f < 6; ++f) side[f] += f < 3 ? -pad : pad;
+}
+
+/* Half of a box's surface; 0 if it holds nothing. */
+static float surface_of(const float* low, const float* high)
+{
+    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return x >= 0.0f ? x * y + y * z + z * x : 0.0f;
+}
+
+#endif

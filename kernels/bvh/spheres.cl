@@ -1,0 +1,49 @@
+/* spheres.cl - a sphere around every triangle.
+ *   vertices, indices  in   triangles
+ *   spheres            out  centre, radius; radius -1: never hit
+ * Any centre would do: the radius is measured from the stored one. Does not look at rays.
+ */
+#include "mesh/triangles.h"
+
+/* Centre of the smallest sphere: the middle of the longest edge unless all angles are acute. */
+static float3 sphere_centre(rsh_triangle p)
+{
+    const float3 ab = p.v1 - p.v0, ac = p.v2 - p.v0, bc = p.v2 - p.v1;
+    if (dot(ab, ac) <= 0.0f) return 0.5f * p.v1 + 0.5f * p.v2;
+    if (dot(-ab, bc) <= 0.0f) return 0.5f * p.v0 + 0.5f * p.v2;
+    if (dot(ac, bc) <= 0.0f) return 0.5f * p.v0 + 0.5f * p.v1;
+    const float3 normal = cross(ab, ac);
+    const float3 towards = dot(ac, ac) * cross(normal, ab) + dot(ab, ab) * cross(ac, normal);
+    const float3 centre = p.v0 + towards / (2.0f * dot(normal, normal));
+    const float3 middle = 0.5f * p.v0 + 0.5f * p.v1;
+    /* Slivers and extreme scales: the circumcentre is noise, or not finite. */
+    if (!(safe_length(centre - p.v0) <= safe_length(ab) + safe_length(ac))) return middle;
+    return centre;
+}
+
+/* Relative error of a length: u for the subtraction, below 2^-20 for safe_length; 2^-124 covers
+ * differences that a device flushes to zero. */
+static float triangle_radius(rsh_triangle p, float3 centre)
+{
+    const float radius = fmax(safe_length(p.v0 - centre),
+                              fmax(safe_length(p.v1 - centre), safe_length(p.v2 - centre)));
+    return radius * (1.0f + 0x1p-18f) + 0x1p-124f;
+}
+
+__kernel void rsh_bound(rsh_mesh mesh, __global const float* vertices,
+                        __global const uint* indices, __global float4* spheres)
+{
+    const uint i = get_global_id(0);
+    if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
+    rsh_triangle p;
+    if (!load_triangle(mesh, vertices, indices, i, &p) || !is_finite3(p.v0) ||
+        !is_finite3(p.v1) || !is_finite3(p.v2)) {
+        spheres[i] = (float4)(0.0f, 0.0f, 0.0f, -1.0f);
+        return;
+    }
+    const float3 centre = sphere_centre(p);
+    const float radius = triangle_radius(p, centre);
+    /* Differences that overflow: a sphere that holds everything. */
+    spheres[i] = isfinite(radius) ? (float4)(centre, radius)
+                                  : (float4)(0.0f, 0.0f, 0.0f, INFINITY);
+}

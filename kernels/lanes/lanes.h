@@ -1,0 +1,109 @@
+/* lanes.h - floatv, intv, uintv: RSH_WIDTH elements that one work-item handles at once.
+ * Compilers for CPUs hardly vectorize across work-items with branches, so the width is written
+ * out. The operators mean the same for every width: comparisons give a mask for select() and
+ * any_lane(). */
+#ifndef RSH_LANES_LANES_H
+#define RSH_LANES_LANES_H
+
+/* a * b + c stays two roundings unless fma is called by name: same bits on every device. */
+#pragma OPENCL FP_CONTRACT OFF
+
+#ifndef RSH_WIDTH
+#define RSH_WIDTH 1
+#endif
+
+#if RSH_WIDTH == 1
+typedef float floatv;
+typedef int intv;
+typedef uint uintv;
+#define as_intv as_int
+#define as_floatv as_float
+#define as_uintv as_uint
+#define convert_intv convert_int
+#define store_lanes(value, array) ((array)[0] = (value))
+#define load_lanes(array) ((array)[0])
+#define any_lane(mask) (mask)
+#else
+#define RSH_JOIN_(a, b) a##b
+#define RSH_JOIN(a, b) RSH_JOIN_(a, b)
+typedef RSH_JOIN(float, RSH_WIDTH) floatv;
+typedef RSH_JOIN(int, RSH_WIDTH) intv;
+typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
+#define as_intv RSH_JOIN(as_int, RSH_WIDTH)
+#define as_floatv RSH_JOIN(as_float, RSH_WIDTH)
+#define as_uintv RSH_JOIN(as_uint, RSH_WIDTH)
+#define convert_intv RSH_JOIN(convert_int, RSH_WIDTH)
+#define store_lanes(value, array) RSH_JOIN(vstore, RSH_WIDTH)(value, 0, array)
+#define load_lanes(array) RSH_JOIN(vload, RSH_WIDTH)(0, array)
+#define any_lane(mask) (RSH_LANE_BITS(mask) != 0)
+#endif
+
+/* The same in one instruction, where the memory is __global or __private; vstore may come in
+ * pieces, and many of them fill up what a CPU has for stores under way. */
+typedef floatv __attribute__((aligned(4))) floatv_anywhere;
+typedef uintv __attribute__((aligned(4))) uintv_anywhere;
+#define store_whole(space, value, array) (*(space floatv_anywhere*)(array) = (value))
+#define store_whole_uint(space, value, array) (*(space uintv_anywhere*)(array) = (value))
+
+/* The lanes' numbers. */
+#if RSH_WIDTH == 1
+#define RSH_LANES ((intv)(0))
+#elif RSH_WIDTH == 4
+#define RSH_LANES ((intv)(0, 1, 2, 3))
+#elif RSH_WIDTH == 8
+#define RSH_LANES ((intv)(0, 1, 2, 3, 4, 5, 6, 7))
+#else
+#define RSH_LANES ((intv)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#endif
+
+/* Bit i: lane i of a mask. What a CPU does in one instruction takes a tree of them in plain
+ * OpenCL C; clang, and so PoCL, gives its target's own to kernels as well. */
+#ifdef __has_builtin
+#if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_gathersiv16sf) && defined(__AVX512F__)
+/* Where it is defined: words base[at], a lane each. */
+#define RSH_GATHER(base, at)                                                              \
+    __builtin_ia32_gathersiv16sf((float16)(0.0f), (const void*)(ulong)(base), as_int16(at), \
+                                 0xffff, 4)
+#endif
+#if RSH_WIDTH > 1 && __has_builtin(__builtin_prefetch)
+/* Where they are defined: the cache line is about to be written, or read. */
+#define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
+#define RSH_EXPECT_LOAD(at) __builtin_prefetch((const void*)(ulong)(at), 0)
+#endif
+#if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_cvtd2mask512) && defined(__AVX512DQ__)
+#define RSH_LANE_BITS(mask) ((uint)(ushort)__builtin_ia32_cvtd2mask512(mask))
+#elif RSH_WIDTH == 8 && __has_builtin(__builtin_ia32_movmskps256) && defined(__AVX__)
+#define RSH_LANE_BITS(mask) ((uint)__builtin_ia32_movmskps256(as_float8(mask)))
+#endif
+#endif
+#ifndef RSH_LANE_BITS
+#define RSH_LANE_BITS(mask) lane_bits_by_tree(mask)
+#if RSH_WIDTH == 1
+static uint lane_bits_by_tree(intv mask) { return mask != 0; }
+#elif RSH_WIDTH == 4
+static uint lane_bits_by_tree(int4 mask)
+{
+    const int4 bits = mask & (int4)(1, 2, 4, 8);
+    const int2 two = bits.lo | bits.hi;
+    return (uint)(two.x | two.y);
+}
+#else
+static uint lane_bits_of_8(int8 mask)
+{
+    const int8 bits = mask & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
+    const int4 four = bits.lo | bits.hi;
+    const int2 two = four.lo | four.hi;
+    return (uint)(two.x | two.y);
+}
+#if RSH_WIDTH == 8
+static uint lane_bits_by_tree(int8 mask) { return lane_bits_of_8(mask); }
+#else
+static uint lane_bits_by_tree(int16 mask)
+{
+    return lane_bits_of_8(mask.lo) | lane_bits_of_8(mask.hi) << 8;
+}
+#endif
+#endif
+#endif
+
+#endif

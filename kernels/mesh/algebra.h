@@ -1,0 +1,38 @@
+/* algebra.h - products and lengths of 3-vectors with every rounding spelled out: the built-in
+ * dot, cross and normalize are free to differ between devices. */
+#ifndef RSH_MESH_ALGEBRA_H
+#define RSH_MESH_ALGEBRA_H
+
+#include "mesh/triangles.h"
+
+static float dot3(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+static float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+
+/* Each component within 1.5 ulp (Kahan): `error` is the rounding of the second product. */
+static float3 cross3(float3 a, float3 b)
+{
+    const float3 product = a.zxy * b.yzx;
+    const float3 error = fma(-a.zxy, b.yzx, product);
+    return fma(a.yzx, b.zxy, -product) + error;
+}
+
+/* Unit vector for any finite length; 0 for a vector that has no direction. */
+static float3 unit3(float3 v)
+{
+    const float scale = largest3(fabs(v));
+    if (!is_finite3(v) || !(scale > 0.0f)) return (float3)(0.0f);
+    const float3 w = v / scale;
+    return w / sqrt(dot3(w, w));
+}
+
+/* a - b rounded, and what the rounding left off, exactly (Knuth's TwoSum). */
+static float3 exact_difference(float3 a, float3 b, float3* rest)
+{
+    const float3 difference = a - b;
+    const float3 minus_b = difference - a;
+    *rest = (a - (difference - minus_b)) - (b + minus_b);
+    return difference;
+}
+
+#endif

@@ -1,0 +1,23 @@
+/* boxes16.h - sixteen boxes side by side, and how far a box is padded; rays/box_node.h derives it. */
+#ifndef RSH_MESH_BOXES16_H
+#define RSH_MESH_BOXES16_H
+
+#include "lanes/sixteen.h"
+
+static float pad_of(float largest) { return 0x1p-18f * largest + 0x1p-124f; }
+
+/* 16 boxes side by side. */
+typedef struct rsh_boxes {
+    floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
+} rsh_boxes;
+
+static void load_boxes(__global const float* group, rsh_boxes* boxes)
+{
+    for (uint axis = 0; axis < 3; ++axis)
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            boxes->low[axis][v] = load_lanes(group + 16 * axis + RSH_WIDTH * v);
+            boxes->high[axis][v] = load_lanes(group + 48 + 16 * axis + RSH_WIDTH * v);
+        }
+}
+
+#endif

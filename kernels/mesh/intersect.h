@@ -1,0 +1,240 @@
+/* intersect.h - the ray-triangle test that defines what a hit is, for every engine.
+ *
+ * Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: move the ray's
+ * origin to 0, shear space so that the ray becomes the axis of its largest direction component,
+ * and look at the triangle in the plane across it. In that plane the ray is the point 0, and
+ * the edge values  U = C x B,  V = A x C,  W = B x A  are twice the areas that 0 makes with the
+ * edges: 0 is inside when none of them differs in sign.
+ *
+ * Two triangles that share an edge compute its value from the same four numbers with the
+ * factors swapped. difference_of_products errs by at most 1.5 ulp, so its sign is exact and it
+ * is 0 only for a true 0: the ray passes on one side for one triangle and on the other for its
+ * neighbour, or on the edge (a hit) for both. No crack, also at vertices; no double-precision
+ * fallback.
+ *
+ * Triangles far from unit size are scaled, in that plane, by a power of two: exact, and the
+ * products neither overflow nor drown, whatever the scene's unit. Shearing at most doubles the
+ * size, so that a ray that hits sees corners no farther away than 2^22; products that overflow
+ * belong to rays far outside, and end in NaN, a miss. A product that underflows errs by 2^-126
+ * (flushed or denormal; monotonically, so signs are never reversed, but 0 may come of it): with
+ * at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles, less than 2^-62 of
+ * their size squared, are seen edge-on.
+ *
+ * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
+ * vertex - origin): subtracting the origin u, slope 6u (1 when division is exact), product u,
+ * difference 2u, the weights' own u: each coordinate is off by at most 11u |.|, on two axes
+ * sqrt(2) 11u. So a reported hit is an exact hit of a triangle whose corners moved by no more
+ * than that, sideways; and since the edge values weigh the corners' depths with relative errors
+ * of a few u and equal signs, t is off by no more than 2^-20 |.| in depth, sqrt(3) 16u along
+ * the ray: together at most 45u |.|. rays/cone_sphere.h keeps every pair within that distance.
+ */
+#ifndef RSH_MESH_INTERSECT_H
+#define RSH_MESH_INTERSECT_H
+
+#include "mesh/triangles.h"
+
+/* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
+ * cyclically. */
+typedef struct rsh_sheared {
+    floatv origin_x, origin_y, origin_z; /* world axes */
+    intv kz_is_x, kz_is_y;               /* masks; neither: z */
+    floatv slope_x, slope_y, inverse_z;
+    floatv tmin, tmax;
+} rsh_sheared;
+
+/* Hits of rays with triangles, a lane each. */
+typedef struct rsh_hits {
+    intv is_hit; /* mask */
+    floatv t, u, v;
+} rsh_hits;
+
+/* The closest hits of some rays so far, a lane each. */
+typedef struct rsh_best {
+    floatv t, u, v;
+    uintv primitive;
+} rsh_best;
+
+static floatv pick_x(rsh_sheared r, floatv x, floatv y, floatv z)
+{
+    return select(select(x, z, r.kz_is_y), y, r.kz_is_x);
+}
+static floatv pick_y(rsh_sheared r, floatv x, floatv y, floatv z)
+{
+    return select(select(y, x, r.kz_is_y), z, r.kz_is_x);
+}
+static floatv pick_z(rsh_sheared r, floatv x, floatv y, floatv z)
+{
+    return select(select(z, y, r.kz_is_y), x, r.kz_is_x);
+}
+
+/* tmin is raised to 0 and tmax lowered to the largest float: nothing behind the origin, no t
+ * that overflowed. A t that underflows to 0 could still lie behind: its sign is tested
+ * before. */
+static rsh_sheared shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x,
+                              floatv y, floatv z, floatv tmin, floatv tmax)
+{
+    rsh_sheared r;
+    r.origin_x = origin_x;
+    r.origin_y = origin_y;
+    r.origin_z = origin_z;
+    r.kz_is_x = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z));
+    r.kz_is_y = (fabs(y) >= fabs(x)) & (fabs(y) > fabs(z));
+    const floatv kz = pick_z(r, x, y, z);
+    r.slope_x = pick_x(r, x, y, z) / kz;
+    r.slope_y = pick_y(r, x, y, z) / kz;
+    r.inverse_z = (floatv)(1.0f) / kz;
+    r.tmin = fmax(tmin, (floatv)(0.0f));
+    r.tmax = fmin(tmax, (floatv)(FLT_MAX));
+    return r;
+}
+
+/* a*b - c*d within 1.5 ulp (Kahan): `error` is the rounding of c*d, exactly. */
+static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
+{
+    const floatv cd = c * d;
+    const floatv error = fma(-c, d, cd);
+    return fma(a, b, -cd) + error;
+}
+
+/* One corner, seen from the ray: x and y across it, z along it. */
+#define SHEAR_CORNER(r, px, py, pz, ax, ay, az)                   \
+    do {                                                          \
+        const floatv dx = (px) - (r).origin_x;                    \
+        const floatv dy = (py) - (r).origin_y;                    \
+        const floatv dz = (pz) - (r).origin_z;                    \
+        az = pick_z(r, dx, dy, dz);                               \
+        ax = pick_x(r, dx, dy, dz) - (r).slope_x * az;            \
+        ay = pick_y(r, dx, dy, dz) - (r).slope_y * az;            \
+    } while (0)
+
+/* Corners, seen from the ray: x and y across it, z along it. */
+typedef struct rsh_seen {
+    floatv ax, ay, az, bx, by, bz, cx, cy, cz;
+} rsh_seen;
+
+static rsh_seen see_corners(rsh_sheared r, const floatv* corner)
+{
+    rsh_seen s;
+    SHEAR_CORNER(r, corner[0], corner[1], corner[2], s.ax, s.ay, s.az);
+    SHEAR_CORNER(r, corner[3], corner[4], corner[5], s.bx, s.by, s.bz);
+    SHEAR_CORNER(r, corner[6], corner[7], corner[8], s.cx, s.cy, s.cz);
+    return s;
+}
+
+/* 1 for triangles of 2^-20 to 2^20 in size, the larger component of two edges; otherwise the
+ * power of two that brings the size to 1 .. 2; from the exponent's bits, kept away from those
+ * of 0 and infinity. */
+static floatv triangle_scale(const floatv* corner)
+{
+    floatv size = (floatv)(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        size = fmax(size, fmax(fabs(corner[3 + axis] - corner[axis]),
+                               fabs(corner[6 + axis] - corner[axis])));
+    const intv exponent = as_intv(size) & 0x7f800000;
+    const floatv power = as_floatv(0x7f000000 - min(exponent, (intv)(0x7e800000)));
+    const intv is_usual = (size >= (floatv)(0x1p-20f)) & (size <= (floatv)(0x1p20f));
+    return select(power, (floatv)(1.0f), is_usual);
+}
+
+static void scale_across(rsh_seen* s, floatv scale)
+{
+    s->ax *= scale;
+    s->ay *= scale;
+    s->bx *= scale;
+    s->by *= scale;
+    s->cx *= scale;
+    s->cy *= scale;
+}
+
+/* Where the rays cut the triangles that they see, once scaled. NaN anywhere ends in a miss. */
+static rsh_hits cut(rsh_sheared r, rsh_seen s)
+{
+    rsh_hits hits;
+    const floatv U = difference_of_products(s.cx, s.by, s.cy, s.bx);
+    const floatv V = difference_of_products(s.ax, s.cy, s.ay, s.cx);
+    const floatv W = difference_of_products(s.bx, s.ay, s.by, s.ax);
+    const floatv zero = (floatv)(0.0f);
+    const floatv area = U + V + W;
+    hits.is_hit = (((U >= zero) & (V >= zero) & (W >= zero)) |
+                   ((U <= zero) & (V <= zero) & (W <= zero))) &
+                  (fabs(area) >= (floatv)(0x1p-102f));
+    hits.t = hits.u = hits.v = zero;
+#if RSH_WIDTH > 1
+    /* Across work-items it saves nothing unless all of them leave; and Intel's CPU runtime
+     * (2026.22) then lost a hit of the ones that stay. */
+    if (!any_lane(hits.is_hit)) return hits;
+#endif
+
+    const floatv inverse = (floatv)(1.0f) / area;
+    hits.u = V * inverse; /* weights of the corners */
+    hits.v = W * inverse;
+    const floatv depth = U * inverse * s.az + hits.u * s.bz + hits.v * s.cz;
+    const intv is_ahead = ((depth >= zero) & (r.inverse_z > zero)) |
+                          ((depth <= zero) & (r.inverse_z < zero));
+    hits.t = depth * r.inverse_z;
+    hits.is_hit &= is_ahead & (hits.t >= r.tmin) & (hits.t <= r.tmax);
+    return hits;
+}
+
+/* corner[3 * i + axis]: one triangle per lane, or one for all. */
+static rsh_hits intersect(rsh_sheared r, const floatv* corner)
+{
+    rsh_seen seen = see_corners(r, corner);
+    scale_across(&seen, triangle_scale(corner));
+    return cut(r, seen);
+}
+
+static rsh_best no_hits(void)
+{
+    return (rsh_best){(floatv)(0.0f), (floatv)(0.0f), (floatv)(0.0f), (uintv)(RSH_NO_HIT)};
+}
+
+/* Triangles come in ascending order, so of equal t the first one stays. */
+static void keep_closer(rsh_best* best, rsh_hits hits, uint triangle)
+{
+    const intv is_better =
+        hits.is_hit & ((hits.t < best->t) | (best->primitive == (uintv)(RSH_NO_HIT)));
+    if (!any_lane(is_better)) return;
+    best->t = select(best->t, hits.t, is_better);
+    best->u = select(best->u, hits.u, is_better);
+    best->v = select(best->v, hits.v, is_better);
+    best->primitive = select(best->primitive, (uintv)(triangle), as_uintv(is_better));
+}
+
+static void spread_triangle(rsh_triangle triangle, floatv* corner)
+{
+    corner[0] = (floatv)(triangle.v0.x);
+    corner[1] = (floatv)(triangle.v0.y);
+    corner[2] = (floatv)(triangle.v0.z);
+    corner[3] = (floatv)(triangle.v1.x);
+    corner[4] = (floatv)(triangle.v1.y);
+    corner[5] = (floatv)(triangle.v1.z);
+    corner[6] = (floatv)(triangle.v2.x);
+    corner[7] = (floatv)(triangle.v2.y);
+    corner[8] = (floatv)(triangle.v2.z);
+}
+
+/* One ray with one triangle, by the same instructions: every lane holds the same. */
+static bool intersect_one(rsh_ray ray, rsh_triangle triangle, rsh_hit* hit)
+{
+    const rsh_sheared r = shear_rays(
+        (floatv)(ray.origin_tmin.x), (floatv)(ray.origin_tmin.y), (floatv)(ray.origin_tmin.z),
+        (floatv)(ray.direction_tmax.x), (floatv)(ray.direction_tmax.y),
+        (floatv)(ray.direction_tmax.z), (floatv)(ray.origin_tmin.w),
+        (floatv)(ray.direction_tmax.w));
+    floatv corner[9];
+    spread_triangle(triangle, corner);
+    const rsh_hits hits = intersect(r, corner);
+    float lanes[3 * RSH_WIDTH];
+    int is_hit[RSH_WIDTH];
+    store_lanes(hits.t, lanes);
+    store_lanes(hits.u, lanes + RSH_WIDTH);
+    store_lanes(hits.v, lanes + 2 * RSH_WIDTH);
+    store_lanes(hits.is_hit, is_hit);
+    hit->t = lanes[0];
+    hit->u = lanes[RSH_WIDTH];
+    hit->v = lanes[2 * RSH_WIDTH];
+    return is_hit[0] != 0;
+}
+
+#endif

@@ -1,0 +1,18 @@
+/* types.h - how kernels read the caller's mesh; shared by host and device. */
+#ifndef RSH_MESH_TYPES_H
+#define RSH_MESH_TYPES_H
+
+#include "rsh/rsh_types.h"
+
+/* How to read rsh_geometry: offsets and stride in words of 4 bytes. */
+typedef struct rsh_mesh {
+    rsh_uint vertices_first_low, vertices_first_high;
+    rsh_uint indices_first_low, indices_first_high;
+    rsh_uint vertex_stride;
+    rsh_uint vertex_count;
+    rsh_uint triangle_count;
+    rsh_uint is_indexed;
+} rsh_mesh;
+RSH_ASSERT_SIZE(rsh_mesh, 32);
+
+#endif

@@ -1,0 +1,95 @@
+/* sort.cl - numbers in the order of their keys: a counting sort by bins, then, in each bin, one
+ * by the other bits. Elements with equal keys stay in their order.
+ *   sorting  in      see rsh_sorting
+ *   keys     in      by number
+ *   bins     in/out  per work-item of rsh_sort_scatter, how many of its elements are in each
+ *   order    out     numbers, from word `first` on
+ */
+#include "order/sort.h"
+
+/* Counts to places: of all elements in lower bins, and in this bin before this work-item. */
+__kernel void rsh_sort_scan(uint items, uint bin_count, __global const rsh_sorting* sorting,
+                            __global uint* bins)
+{
+    if (get_global_id(0) != 0 || !sorting->is_needed) return;
+    uint sum = 0;
+    for (uint b = 0; b < bin_count; ++b)
+        for (uint i = 0; i < items; ++i) {
+            __global uint* bin = bins + (ulong)bin_count * i + b;
+            const uint elements = *bin;
+            *bin = sum;
+            sum += elements;
+        }
+}
+
+static void load_keys(__global const uint* keys, uint count, uint* key)
+{
+    if (count == 16)
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            store_lanes(load_lanes(keys + RSH_WIDTH * v), key + RSH_WIDTH * v);
+    else
+        for (uint k = 0; k < count; ++k) key[k] = keys[k];
+}
+
+__kernel void rsh_sort_scatter(uint count, uint bin_count, __global const rsh_sorting* sorting,
+                               __global const uint* keys, __global uint* bins,
+                               __global uint* order, ulong first)
+{
+    if (!sorting->is_needed) return;
+    const rsh_part mine = my_groups(count);
+    const uint rest = sorting->rest;
+    __global uint* own = bins + (ulong)bin_count * get_global_id(0);
+    for (uint g = mine.begin; g < mine.end; ++g) {
+        const uint here = min(16u, count - 16 * g);
+        uint key[16];
+        load_keys(keys + 16 * g, here, key);
+        if (here == 16 && are_in_one_bin(key, rest)) {
+            __global uint* at = order + first + own[key[0] >> rest];
+            for (uint v = 0; v < RSH_VECTORS; ++v)
+                store_lanes(as_uintv(RSH_LANES) + (16 * g + RSH_WIDTH * v), at + RSH_WIDTH * v);
+            own[key[0] >> rest] += 16;
+            continue;
+        }
+        for (uint k = 0; k < here; ++k) order[first + own[key[k] >> rest]++] = 16 * g + k;
+    }
+}
+
+/* Six bits at a time. */
+#define RSH_DIGITS 64
+
+static void sort_by_digit(__global uint* order, uint count, __global const uint* keys,
+                          uint shift, uint digits, __global uint* sorted)
+{
+    uint at[RSH_DIGITS], sum = 0;
+    for (uint d = 0; d < digits; ++d) at[d] = 0;
+    for (uint i = 0; i < count; ++i) ++at[keys[order[i]] >> shift & (digits - 1)];
+    if (at[keys[order[0]] >> shift & (digits - 1)] == count) return; /* all have the same */
+    for (uint d = 0; d < digits; ++d) {
+        const uint here = at[d];
+        at[d] = sum;
+        sum += here;
+    }
+    for (uint i = 0; i < count; ++i)
+        sorted[at[keys[order[i]] >> shift & (digits - 1)]++] = order[i];
+    for (uint i = 0; i < count; ++i) order[i] = sorted[i];
+}
+
+/* A work-item takes a run of bins. bins: where the last work-item's elements of a bin end, as
+ * rsh_sort_scatter leaves them. */
+__kernel void rsh_sort_refine(uint items, uint bin_count, __global const rsh_sorting* sorting,
+                              __global const uint* keys, __global const uint* bins,
+                              __global uint* sorted, __global uint* order, ulong first)
+{
+    const uint rest = sorting->rest;
+    if (!sorting->is_needed || rest == 0) return;
+    const uint run = (bin_count + get_global_size(0) - 1) / get_global_size(0);
+    const uint first_bin = run * (uint)get_global_id(0);
+    __global const uint* end = bins + (ulong)bin_count * (items - 1);
+    for (uint b = first_bin; b < min(first_bin + run, bin_count); ++b) {
+        const uint begin = b ? end[b - 1] : 0, count = end[b] - begin;
+        if (count <= 16) continue;
+        for (uint shift = 0; shift < rest; shift += 6)
+            sort_by_digit(order + first + begin, count, keys, shift,
+                          min(64u, 1u << (rest - shift)), sorted + begin);
+    }
+}

@@ -1,0 +1,126 @@
+/* build_boxes.cl - the hierarchy over the rays with the bound `box`, bottom-up.
+ *   rays   in   level 0
+ *   nodes  out  groups of 16 nodes; see rsh_node_group
+ * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test
+ * anything against the scene.
+ */
+#include "order/types.h"
+#include "rays/box_node.h"
+#include "rays/tile_layout.h"
+
+static float smallest_active(const rsh_ray_block* block, const floatv* row)
+{
+    floatv v[RSH_VECTORS];
+    for (uint i = 0; i < RSH_VECTORS; ++i)
+        v[i] = select((floatv)(INFINITY), row[i], block->is_active[i]);
+    return smallest_lane(v);
+}
+
+static float largest_active(const rsh_ray_block* block, const floatv* row)
+{
+    floatv v[RSH_VECTORS];
+    for (uint i = 0; i < RSH_VECTORS; ++i)
+        v[i] = select((floatv)(-INFINITY), row[i], block->is_active[i]);
+    return largest_lane(v);
+}
+
+/* The origins' largest component, in size. */
+static float reach_of(float low, float high) { return fmax(fabs(low), fabs(high)); }
+
+/* The same rays from their points at t = 1 backwards: where they run towards one point, the box
+ * of these is the smallest. Every point with 0 <= t <= 1 lies that way; a ray that goes on, or
+ * whose end overflows, gets the box of all directions, from everywhere. The end rounds by u of
+ * itself, which the padding has room for. */
+static void reverse_rays(rsh_ray_block* block)
+{
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        intv is_bounded = block->row[RSH_TMAX][v] <= (floatv)(1.0f);
+        for (uint axis = 0; axis < 3; ++axis) {
+            const floatv d = block->row[RSH_DIRECTION + axis][v];
+            block->row[axis][v] += d;
+            block->row[RSH_DIRECTION + axis][v] = -d;
+            is_bounded &= fabs(block->row[axis][v]) < (floatv)(INFINITY);
+        }
+        /* Only its lanes that are active count: NaN there makes the node universal. */
+        const intv is_lost = block->is_active[v] & (is_bounded == (intv)(0));
+        block->row[0][v] = select(block->row[0][v], (floatv)(NAN), is_lost);
+        block->row[RSH_TMAX][v] = (floatv)(1.0f);
+    }
+}
+
+static bool any_lost(const rsh_ray_block* block)
+{
+    bool lost = false;
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        lost |= any_lane(block->is_active[v] & (block->row[0][v] != block->row[0][v]));
+    return lost;
+}
+
+typedef struct rsh_node_rows {
+    float row[RSH_NODE_ROWS][16];
+} rsh_node_rows;
+
+/* Rows of node b from its rays. */
+static void bound_block(rsh_ray_block* block, uint is_converging, uint b, rsh_node_rows* rows)
+{
+    float reach = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis)
+        reach = fmax(reach, reach_of(smallest_active(block, block->row[axis]),
+                                     largest_active(block, block->row[axis])));
+    if (is_converging) reverse_rays(block);
+    const bool is_universal = is_converging && any_lost(block);
+    float low[3], high[3];
+    for (uint axis = 0; axis < 3; ++axis) {
+        low[axis] = is_universal ? -INFINITY : smallest_active(block, block->row[axis]);
+        high[axis] = is_universal ? INFINITY : largest_active(block, block->row[axis]);
+        reach = fmax(reach, reach_of(low[axis], high[axis]));
+    }
+    const float pad = is_universal ? 0.0f : pad_of(reach);
+    for (uint axis = 0; axis < 3; ++axis) {
+        const floatv* direction = block->row[RSH_DIRECTION + axis];
+        rows->row[axis][b] = low[axis] - pad;
+        rows->row[3 + axis][b] = high[axis] + pad;
+        rows->row[6 + axis][b] = is_universal ? -INFINITY : smallest_active(block, direction);
+        rows->row[9 + axis][b] = is_universal ? INFINITY : largest_active(block, direction);
+    }
+    rows->row[12][b] = largest_active(block, block->row[RSH_TMAX]);
+}
+
+static void clear_node(uint b, rsh_node_rows* rows)
+{
+    for (uint f = 0; f < 6; ++f) {
+        const float bound = f < 3 ? INFINITY : -INFINITY;
+        rows->row[f][b] = rows->row[6 + f][b] = bound;
+    }
+    rows->row[12][b] = -1.0f;
+}
+
+/* Says in the nodes of a list whether they have an order. */
+__kernel void rsh_build_order(rsh_levels shape, __global const rsh_sorting* sorting,
+                              __global uint* nodes)
+{
+    if (get_global_id(0) == 0)
+        nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
+}
+
+__kernel void rsh_build_blocks(rsh_levels shape, __global const rsh_ray* rays,
+                               uint is_converging, __global float* groups)
+{
+    const uint me = get_global_id(0);
+    if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
+    const rsh_tile tile = tile_at(shape, (__global const uint*)groups, me);
+    rsh_node_rows rows;
+    for (uint b = 0; b < 16; ++b) {
+        rsh_ray_block block;
+        load_rays(tile, b, rays, &block);
+        rows.row[13][b] = as_float(is_converging);
+        if (active_lanes(&block))
+            bound_block(&block, is_converging, b, &rows);
+        else
+            clear_node(b, &rows);
+    }
+    __global float* out = groups + 16ul * RSH_NODE_ROWS * me;
+    for (uint f = 0; f < RSH_NODE_ROWS; ++f)
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            store_lanes(load_lanes(rows.row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);
+}

@@ -1,0 +1,185 @@
+/* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item per
+ * quad.
+ *   rays   in   level 0
+ *   quads  out  nodes of all levels below the root; see rsh_node_quad
+ * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and
+ * sine are then measured from the guess as stored, rounded outwards, so that a node always
+ * contains its rays. Does not test anything against the scene.
+ */
+#include "mesh/algebra.h"
+#include "rays/levels.h"
+
+typedef struct rsh_cone {
+    float3 apex;
+    float radius; /* negative: no active ray */
+    float3 axis;
+    float sine; /* 2: every direction */
+} rsh_cone;
+
+#define RSH_NO_CONE \
+    ((rsh_cone){(float3)(0.0f), -1.0f, (float3)(0.0f, 0.0f, 1.0f), 0.0f})
+#define RSH_WHOLE_SPACE \
+    ((rsh_cone){(float3)(0.0f), INFINITY, (float3)(0.0f, 0.0f, 1.0f), 2.0f})
+
+/* Normalising errs by at most 12u in angle (u = 2^-24), also where divisions err by 2.5 ulp: a
+ * cone of sine 2^-20 = 16u around the stored axis holds the true direction. */
+#define RSH_LEAF_SINE 0x1p-20f
+
+static rsh_cone ray_cone(rsh_ray ray)
+{
+    if (!is_active(ray)) return RSH_NO_CONE;
+    const float3 d = ray.direction_tmax.xyz;
+    const float scale = fmax(fabs(d.x), fmax(fabs(d.y), fabs(d.z)));
+    const float3 scaled = d / scale;
+    const float3 axis =
+        scaled / sqrt(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
+    /* A denormal direction may lose its bits to the division: then it could point anywhere. */
+    const bool is_exact = scale >= 0x1p-100f;
+    return (rsh_cone){ray.origin_tmin.xyz, 0.0f, axis, is_exact ? RSH_LEAF_SINE : 2.0f};
+}
+
+/* The same ray from its point at t = 1 backwards: rays that run towards one point make the
+ * thinnest cones there. Every point with t <= 1 lies that way; other rays go anywhere. The
+ * radius makes up for the sum, which rounds by u per component, and for the hits of
+ * mesh/intersect.h: those are off by 45u of their distance to the origin, which is the direction's
+ * length more than the distance to the apex that rays/cone_sphere.h allows for. */
+static rsh_cone reversed_cone(rsh_ray ray)
+{
+    rsh_cone cone = ray_cone(ray);
+    if (cone.radius < 0.0f) return cone;
+    const float3 end = ray.origin_tmin.xyz + ray.direction_tmax.xyz;
+    if (!(ray.direction_tmax.w <= 1.0f) || !is_finite3(end)) cone.sine = 2.0f;
+    if (cone.sine > 1.0f) return cone;
+    cone.radius = 0x1p-22f * (fabs(end.x) + fabs(end.y) + fabs(end.z)) +
+                  0x1p-18f * safe_length(ray.direction_tmax.xyz) + 0x1p-124f;
+    cone.apex = end;
+    cone.axis = -cone.axis;
+    return cone;
+}
+
+static rsh_cone quad_member(const rsh_node_quad* quad, uint k)
+{
+    const float* f = (const float*)quad;
+    return (rsh_cone){(float3)(f[k], f[4 + k], f[8 + k]), f[12 + k],
+                      (float3)(f[16 + k], f[20 + k], f[24 + k]), f[28 + k]};
+}
+
+static void set_quad_member(rsh_node_quad* quad, uint k, rsh_cone cone)
+{
+    float* f = (float*)quad;
+    f[k] = cone.apex.x;
+    f[4 + k] = cone.apex.y;
+    f[8 + k] = cone.apex.z;
+    f[12 + k] = cone.radius;
+    f[16 + k] = cone.axis.x;
+    f[20 + k] = cone.axis.y;
+    f[24 + k] = cone.axis.z;
+    f[28 + k] = cone.sine;
+}
+
+static float3 middle_of_apexes(const rsh_cone* child)
+{
+    float3 low = (float3)(INFINITY), high = (float3)(-INFINITY);
+    for (int k = 0; k < 4; ++k)
+        if (child[k].radius >= 0.0f) {
+            low = fmin(low, child[k].apex - child[k].radius);
+            high = fmax(high, child[k].apex + child[k].radius);
+        }
+    return 0.5f * low + 0.5f * high;
+}
+
+/* |apex - centre| errs by u in the difference and 2^-20 in the length, the sum by u. */
+static float cone_radius(const rsh_cone* child, float3 centre)
+{
+    float radius = 0.0f;
+    for (int k = 0; k < 4; ++k)
+        if (child[k].radius >= 0.0f)
+            radius = fmax(radius, safe_length(child[k].apex - centre) * (1.0f + 0x1p-18f) +
+                                      child[k].radius);
+    return radius * (1.0f + 0x1p-20f) + 0x1p-124f;
+}
+
+/* Sine of the widest angle between `axis` and a ray of a child: sin(theta + alpha), where theta
+ * is the angle between the axes and alpha the child's half-angle. Cross and dot products of
+ * unit vectors that are 16u off in length, products and sums, and cos alpha = sqrt(1 - sin^2)
+ * with cos alpha >= 0.05 (error u / 0.1): together below 48u; the padding is 2^-18 = 64u. From
+ * 87 degrees on, the cone counts as the whole space. */
+static float cone_sine(const rsh_cone* child, float3 axis)
+{
+    float widest = 0.0f;
+    for (int k = 0; k < 4; ++k) {
+        if (!(child[k].radius >= 0.0f)) continue;
+        const float3 n = cross3(child[k].axis, axis);
+        const float sin_theta = sqrt(dot3(n, n));
+        const float cos_theta = dot3(child[k].axis, axis);
+        const float sin_alpha = child[k].sine;
+        const float cos_alpha = sqrt(fmax(0.0f, 1.0f - sin_alpha * sin_alpha));
+        if (!(cos_theta * cos_alpha - sin_theta * sin_alpha > 0.05f) || sin_alpha > 1.0f)
+            return 2.0f;
+        widest = fmax(widest, sin_theta * cos_alpha + cos_theta * sin_alpha);
+    }
+    return widest + 0x1p-18f;
+}
+
+/* The parent of four siblings; a single active child is copied bit for bit. */
+static rsh_cone merge(const rsh_node_quad* quad)
+{
+    rsh_cone child[4];
+    uint active = 0;
+    rsh_cone last = RSH_NO_CONE;
+    float3 sum = (float3)(0.0f);
+    for (int k = 0; k < 4; ++k) {
+        child[k] = quad_member(quad, k);
+        if (!(child[k].radius >= 0.0f)) continue;
+        ++active;
+        last = child[k];
+        sum += child[k].axis;
+    }
+    if (active < 2) return last;
+
+    rsh_cone parent;
+    parent.apex = middle_of_apexes(child);
+    parent.radius = cone_radius(child, parent.apex);
+    if (!is_finite3(parent.apex) || !isfinite(parent.radius)) return RSH_WHOLE_SPACE;
+    const float length_of_sum = safe_length(sum);
+    parent.axis = length_of_sum > 0.1f ? sum / length_of_sum : last.axis;
+    parent.sine = cone_sine(child, parent.axis);
+    return parent;
+}
+
+static rsh_cone leaf(const rsh_levels* levels, __global const rsh_ray* rays, uint is_converging,
+                     uint parent, uint k)
+{
+    if (!child_exists(levels, 0, parent, k)) return RSH_NO_CONE;
+    const rsh_ray ray = rays[child_index(levels, 0, parent, k)];
+    return is_converging ? reversed_cone(ray) : ray_cone(ray);
+}
+
+__kernel void rsh_build_leaves(rsh_levels levels, __global const rsh_ray* rays,
+                               uint is_converging, __global rsh_node_quad* quads)
+{
+    const uint i = get_global_id(0);
+    if (i >= levels.width[1] * levels.height[1]) return;
+    rsh_node_quad quad;
+    for (uint k = 0; k < 4; ++k)
+        set_quad_member(&quad, k, leaf(&levels, rays, is_converging, i, k));
+    quads[levels.first_quad[0] + i] = quad;
+}
+
+__kernel void rsh_build_level(rsh_levels shape, uint level, __global rsh_node_quad* quads)
+{
+    const rsh_levels levels = shape;
+    const uint i = get_global_id(0);
+    if (i >= levels.width[level + 1] * levels.height[level + 1]) return;
+    rsh_node_quad quad;
+    for (uint k = 0; k < 4; ++k) {
+        rsh_cone node = RSH_NO_CONE;
+        if (child_exists(&levels, level, i, k)) {
+            const rsh_node_quad below =
+                quads[levels.first_quad[level - 1] + child_index(&levels, level, i, k)];
+            node = merge(&below);
+        }
+        set_quad_member(&quad, k, node);
+    }
+    quads[levels.first_quad[level] + i] = quad;
+}

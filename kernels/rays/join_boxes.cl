@@ -1,0 +1,49 @@
+/* join_boxes.cl - boxes around nodes of the bound `box`, level by level above the tiles: a
+ * minimum of minima is as tight as if fitted to the rays.
+ *   in   in   groups of the nodes of `level`: their children
+ *   out  out  groups of the nodes of level + 1: the nodes of `level` themselves
+ * A work-item makes a group.
+ */
+#include "rays/box_node.h"
+#include "rays/group_levels.h"
+
+/* Rows of a group, see rsh_node_group: low and high of origins, of directions, tmax. */
+static void join_group(__global const float* in, float* row)
+{
+    for (uint f = 0; f < 13; ++f) {
+        const bool is_low = f < 3 || (f >= 6 && f < 9);
+        float best = in[16 * f];
+        for (uint k = 1; k < 16; ++k) {
+            const float other = in[16 * f + k];
+            best = is_low ? fmin(best, other) : fmax(best, other);
+        }
+        row[f] = best;
+    }
+    row[13] = in[16 * 13];
+}
+
+static void clear_node(float* row)
+{
+    for (uint f = 0; f < 12; ++f)
+        row[f] = f < 3 || (f >= 6 && f < 9) ? INFINITY : -INFINITY;
+    row[12] = -1.0f;
+    row[13] = 0.0f;
+}
+
+__kernel void rsh_join_boxes(rsh_levels shape, uint level, __global const float* in,
+                             uint first_in, __global float* out, uint first_out)
+{
+    const rsh_levels levels = shape;
+    const uint me = get_global_id(0);
+    if (me >= levels.width[level + 1] * levels.height[level + 1]) return;
+    __global float* group = out + 224ul * (first_out + me);
+    for (uint k = 0; k < 16; ++k) {
+        const uint node = child_of(&levels, level, me, k);
+        float row[14];
+        if (node == RSH_NO_NODE)
+            clear_node(row);
+        else
+            join_group(in + 224ul * (first_in + node), row);
+        for (uint f = 0; f < 14; ++f) group[16 * f + k] = row[f];
+    }
+}

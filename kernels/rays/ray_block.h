@@ -1,0 +1,106 @@
+/* ray_block.h - sixteen rays, component by component, as blocks of a tile hold them. */
+#ifndef RSH_RAYS_RAY_BLOCK_H
+#define RSH_RAYS_RAY_BLOCK_H
+
+#include "lanes/sixteen.h"
+#include "mesh/triangles.h"
+#include "rays/tile_layout.h"
+
+/* The rows of rsh_ray: origin x y z, tmin, direction x y z, tmax. */
+enum { RSH_TMIN = 3, RSH_DIRECTION = 4, RSH_TMAX = 7, RSH_RAY_ROWS = 8 };
+
+typedef struct rsh_ray_block {
+    floatv row[RSH_RAY_ROWS][RSH_VECTORS];
+    intv is_active[RSH_VECTORS]; /* mask; see rsh_ray */
+} rsh_ray_block;
+
+/* The same bits as is_active of mesh/triangles.h. */
+static intv are_active(const rsh_ray_block* block, uint v)
+{
+    const floatv infinite = (floatv)(INFINITY), zero = (floatv)(0.0f);
+    intv is_finite = block->row[RSH_TMIN][v] <= block->row[RSH_TMAX][v];
+    intv has_direction = block->row[RSH_DIRECTION][v] != zero;
+    for (uint axis = 0; axis < 3; ++axis) {
+        const floatv d = block->row[RSH_DIRECTION + axis][v];
+        is_finite &= (fabs(block->row[axis][v]) < infinite) & (fabs(d) < infinite);
+        has_direction |= d != zero;
+    }
+    return is_finite & has_direction;
+}
+
+static uint active_lanes(const rsh_ray_block* block)
+{
+    uint bits = 0;
+    for (uint v = 0; v < RSH_VECTORS; ++v)
+        bits |= RSH_LANE_BITS(block->is_active[v]) << (RSH_WIDTH * v);
+    return bits;
+}
+
+#if RSH_WIDTH == 16
+/* Even and odd elements of two vectors. */
+#define RSH_EVEN(a, b) ((float16)((a).even, (b).even))
+#define RSH_ODD(a, b) ((float16)((a).odd, (b).odd))
+
+/* Four times four rays in a row, two in each of pair[0 .. 7], to eight rows of 16. Each step
+ * halves the components that a vector holds: 0 2 4 6 and 1 3 5 7; then 0 4, 2 6, 1 5, 3 7. */
+static void transpose_rays(const float16* pair, rsh_ray_block* block)
+{
+    float16 four[2][4], two[4][2];
+    for (uint i = 0; i < 4; ++i) {
+        four[0][i] = RSH_EVEN(pair[2 * i], pair[2 * i + 1]);
+        four[1][i] = RSH_ODD(pair[2 * i], pair[2 * i + 1]);
+    }
+    for (uint i = 0; i < 2; ++i)
+        for (uint odd = 0; odd < 2; ++odd) {
+            two[odd][i] = RSH_EVEN(four[odd][2 * i], four[odd][2 * i + 1]);
+            two[odd + 2][i] = RSH_ODD(four[odd][2 * i], four[odd][2 * i + 1]);
+        }
+    for (uint c = 0; c < 4; ++c) {
+        block->row[c][0] = RSH_EVEN(two[c][0], two[c][1]);
+        block->row[c + 4][0] = RSH_ODD(two[c][0], two[c][1]);
+    }
+}
+
+static void load_whole_block(rsh_tile tile, uint b, __global const rsh_ray* rays,
+                             rsh_ray_block* block)
+{
+    float16 pair[8];
+    for (uint r = 0; r < 4; ++r) {
+        __global const float* four = (__global const float*)(rays + ray_of(tile, b, 4 * r));
+        pair[2 * r] = vload16(0, four);
+        pair[2 * r + 1] = vload16(1, four);
+    }
+    transpose_rays(pair, block);
+}
+#endif
+
+static void load_part_of_block(rsh_tile tile, uint b, __global const rsh_ray* rays,
+                               rsh_ray_block* block)
+{
+    float lane[RSH_RAY_ROWS][16];
+    for (uint k = 0; k < 16; ++k) {
+        const uint i = ray_of(tile, b, k);
+        float8 row = (float8)(0.0f);
+        if (i != RSH_NO_RAY) row = vload8(0, (__global const float*)(rays + i));
+        float values[RSH_RAY_ROWS];
+        vstore8(row, 0, values);
+        for (uint f = 0; f < RSH_RAY_ROWS; ++f) lane[f][k] = values[f];
+    }
+    for (uint f = 0; f < RSH_RAY_ROWS; ++f)
+        for (uint v = 0; v < RSH_VECTORS; ++v)
+            block->row[f][v] = load_lanes(lane[f] + RSH_WIDTH * v);
+}
+
+/* Lanes outside of the grid or list are inactive. */
+static void load_rays(rsh_tile tile, uint b, __global const rsh_ray* rays, rsh_ray_block* block)
+{
+#if RSH_WIDTH == 16
+    if (is_whole(tile, b))
+        load_whole_block(tile, b, rays, block);
+    else
+#endif
+        load_part_of_block(tile, b, rays, block);
+    for (uint v = 0; v < RSH_VECTORS; ++v) block->is_active[v] = are_active(block, v);
+}
+
+#endif

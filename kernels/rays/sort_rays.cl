@@ -1,0 +1,133 @@
+/* sort_rays.cl - keys for the order in which the rays of a list make blocks: by the octant of
+ * their direction, then along Hilbert's curve by their origin.
+ *   rays           in   a list
+ *   sorting, keys  out  for order/sort.cl, and how many rays are in each of its bins
+ * Rays that follow each other mostly are neighbours already, and stay. Where runs of 16 are
+ * not, as in a queue that was filled by many hands, every block would span the scene and its
+ * rays go one by one, at several times the cost. A work-item has a run of the rays.
+ */
+#include "order/hilbert.h"
+#include "rays/ray_block.h"
+#include "order/sort.h"
+
+/* Bits of a coordinate; RSH_RAY_CELL_BITS of them make the cell. */
+#define RSH_RAY_BITS 7
+
+/* A run is sparse if its origins span more than this of what all do, or, where all start in one
+ * point, its directions of what those can. */
+#define RSH_SPREAD 0.25f
+
+static rsh_tile list_of(uint count, uint group)
+{
+    return (rsh_tile){count, 0, 16 * group, 0, 0};
+}
+
+/* Of the active rays, from row `first` on. */
+static rsh_span span_of(const rsh_ray_block* block, uint first)
+{
+    rsh_span span = no_span();
+    for (uint axis = 0; axis < 3; ++axis) {
+        floatv low[RSH_VECTORS], high[RSH_VECTORS];
+        for (uint v = 0; v < RSH_VECTORS; ++v) {
+            const floatv at = block->row[first + axis][v];
+            low[v] = select((floatv)(INFINITY), at, block->is_active[v]);
+            high[v] = select((floatv)(-INFINITY), at, block->is_active[v]);
+        }
+        span.low[axis] = smallest_lane(low);
+        span.high[axis] = largest_lane(high);
+    }
+    return span;
+}
+
+static void add_span(rsh_span* whole, const rsh_span* part)
+{
+    for (uint axis = 0; axis < 3; ++axis) {
+        whole->low[axis] = fmin(whole->low[axis], part->low[axis]);
+        whole->high[axis] = fmax(whole->high[axis], part->high[axis]);
+    }
+}
+
+__kernel void rsh_rays_measure(__global const rsh_ray* rays, uint count,
+                               __global rsh_span* spans)
+{
+    const rsh_part mine = my_groups(count);
+    rsh_span span = no_span();
+    for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
+        rsh_ray_block block;
+        load_rays(list_of(count, g), 0, rays, &block);
+        const rsh_span origins = span_of(&block, 0);
+        add_span(&span, &origins);
+    }
+    spans[get_global_id(0)] = span;
+}
+
+static bool is_spread(const rsh_ray_block* block, float whole)
+{
+    const rsh_span origins = span_of(block, 0);
+    if (whole > 0.0f) return longest_side(&origins) > RSH_SPREAD * whole;
+    const rsh_span directions = span_of(block, RSH_DIRECTION);
+    float longest = 0.0f;
+    for (uint axis = 0; axis < 3; ++axis)
+        longest = fmax(longest,
+                       fmax(fabs(directions.low[axis]), fabs(directions.high[axis])));
+    return longest_side(&directions) > RSH_SPREAD * 2.0f * longest;
+}
+
+/* Of the runs asked, how many are sparse. */
+__kernel void rsh_rays_ask(__global const rsh_ray* rays, uint count,
+                           __global const rsh_span* spans, __global uint2* asked)
+{
+    const rsh_part mine = my_groups(count);
+    const rsh_span whole = whole_span(spans, get_global_size(0));
+    const float longest = longest_side(&whole);
+    uint2 sum = (uint2)(0);
+    for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
+        rsh_ray_block block;
+        load_rays(list_of(count, g), 0, rays, &block);
+        if (!active_lanes(&block)) continue;
+        ++sum.x;
+        sum.y += is_spread(&block, longest);
+    }
+    asked[get_global_id(0)] = sum;
+}
+
+static void keys_of_rays(const rsh_ray_block* block, const rsh_span* whole, uint* keys)
+{
+    const float scale = cells_per_length(longest_side(whole), RSH_RAY_BITS);
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        uintv cell[3], octant = (uintv)(0u);
+        for (uint axis = 0; axis < 3; ++axis) {
+            cell[axis] = cell_of(block->row[axis][v], whole->low[axis], scale, RSH_RAY_BITS);
+            octant |= select((uintv)(0u), (uintv)(1u << axis),
+                             as_uintv(block->row[RSH_DIRECTION + axis][v] < (floatv)(0.0f)));
+        }
+        const uintv key = octant << (3 * RSH_RAY_BITS) | hilbert_place(cell, RSH_RAY_BITS);
+        store_lanes(select((uintv)(8u << (3 * RSH_RAY_BITS)), key,
+                           as_uintv(block->is_active[v])),
+                    keys + RSH_WIDTH * v);
+    }
+}
+
+__kernel void rsh_rays_keys(__global const rsh_ray* rays, uint count,
+                            __global const rsh_span* spans, __global const uint2* asked,
+                            __global rsh_sorting* sorting, __global uint* keys,
+                            __global uint* bins)
+{
+    const uint me = get_global_id(0), rest = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
+    uint2 sum = (uint2)(0);
+    for (uint i = 0; i < get_global_size(0); ++i) sum += asked[i];
+    const bool is_needed = sum.y > sum.x / 2;
+    if (me == 0) *sorting = (rsh_sorting){is_needed, rest};
+    if (!is_needed) return;
+    const rsh_part mine = my_groups(count);
+    const rsh_span whole = whole_span(spans, get_global_size(0));
+    __global uint* own = bins + (ulong)RSH_RAY_BINS * me;
+    for (uint b = 0; b < RSH_RAY_BINS; ++b) own[b] = 0;
+    for (uint g = mine.begin; g < mine.end; ++g) {
+        rsh_ray_block block;
+        uint key[16];
+        load_rays(list_of(count, g), 0, rays, &block);
+        keys_of_rays(&block, &whole, key);
+        store_keys(key, g, count, rest, keys, own);
+    }
+}

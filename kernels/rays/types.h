@@ -1,0 +1,50 @@
+/* types.h - nodes over the rays as they lie in memory; shared by host and device. */
+#ifndef RSH_RAYS_TYPES_H
+#define RSH_RAYS_TYPES_H
+
+#include "rsh/rsh_types.h"
+
+/* Four sibling nodes, component by component. A node bounds the rays that start inside a
+ * sphere and leave inside a cone (Roger et al. 2007):
+ *   apex_*   centre of the sphere [world]
+ *   radius   of the sphere [world]; negative: the node holds no active ray
+ *   axis_*   unit axis of the cone
+ *   sine     of the cone's half-angle; 2: the cone is the whole space of directions */
+typedef struct rsh_node_quad {
+    rsh_float4 apex_x, apex_y, apex_z, radius;
+    rsh_float4 axis_x, axis_y, axis_z, sine;
+} rsh_node_quad;
+RSH_ASSERT_SIZE(rsh_node_quad, 128);
+
+/* Sixteen sibling nodes of the bound `box`: the blocks of a tile. [axis][block]. */
+typedef struct rsh_node_group {
+    rsh_float origin_low[3][16];
+    rsh_float origin_high[3][16];
+    rsh_float direction_low[3][16];
+    rsh_float direction_high[3][16];
+    rsh_float tmax[16];         /* of the farthest ray; -1: the node holds no active ray */
+    rsh_uint is_converging[16]; /* 1: seen from t = 1, backwards; see rsh_build_desc */
+} rsh_node_group;
+RSH_ASSERT_SIZE(rsh_node_group, 896);
+
+/* Sixteen sibling nodes of the bound `cone_fitted`, each fitted to all its rays. [axis][node].
+ *   apex, radius  the sphere that the rays start in [world]; radius negative: no active ray
+ *   axis          unit axis of the cone that they leave in
+ *   spread        of its half-angle a: sin a up to 90 degrees, 2 - sin a beyond; 2: the cone is
+ *                 the whole space of directions */
+typedef struct rsh_cone_group {
+    rsh_float apex[3][16];
+    rsh_float radius[16];
+    rsh_float axis[3][16];
+    rsh_float spread[16];
+} rsh_cone_group;
+RSH_ASSERT_SIZE(rsh_cone_group, 512);
+
+/* Words before the order of a list's rays in its nodes; see rsh_levels. */
+#define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
+
+/* Bins of rays/sort_rays.cl: octants of directions by cells of origins; then inactive rays. */
+#define RSH_RAY_CELL_BITS 3
+#define RSH_RAY_BINS ((8u << (3 * RSH_RAY_CELL_BITS)) + 1)
+
+#endif

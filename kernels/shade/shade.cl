@@ -1,0 +1,108 @@
+/* shade.cl - what each ray sees, added to its colour, see rsh_shade.
+ *   rays, hits, weights  in      weights NULL: all 1
+ *   occlusion            in      bit k: light k is hidden; NULL: nothing is hidden
+ *   colour               in/out  rgb grows, a stays
+ * Mirrored and refracted light is added by shading the rays that shade/spawn.cl makes.
+ */
+#include "shade/light.h"
+#include "shade/texture.h"
+
+#ifndef RSH_TEXTURE
+#define RSH_TEXTURE 0
+#endif
+#ifndef RSH_ENVIRONMENT_IMAGE
+#define RSH_ENVIRONMENT_IMAGE 0
+#endif
+
+typedef struct rsh_lights {
+    __global const rsh_light* lights;
+    uint count;
+    uint hidden; /* bit k: light k */
+} rsh_lights;
+
+static float3 texture_colour(const rsh_shape* shape, const rsh_images* images,
+                             __global const float* texcoords, rsh_hit hit, uint texture)
+{
+#if RSH_TEXTURE
+    if (texture >= images->texture_count) return (float3)(1.0f);
+    uint corner[3];
+    triangle_vertices(shape->mesh, shape->indices, hit.primitive, corner);
+    const float2 uv = (1.0f - hit.u - hit.v) * vload2(corner[0], texcoords) +
+                      hit.u * vload2(corner[1], texcoords) +
+                      hit.v * vload2(corner[2], texcoords);
+    return sample_image(images, texture, uv, true);
+#else
+    return (float3)(1.0f);
+#endif
+}
+
+/* Blinn 1977: the highlight is where the normal lies halfway between light and viewer. */
+static float3 sent_back(const rsh_surface* surface, float3 to_light, float3 diffuse,
+                        float4 specular)
+{
+    float3 share = diffuse * dot3(surface->normal, to_light);
+    if (largest3(fabs(specular.xyz)) > 0.0f) {
+        const float3 halfway = unit3(to_light - surface->incident);
+        const float cosine = fmin(fmax(dot3(surface->normal, halfway), 0.0f), 1.0f);
+        share += specular.xyz * pow(cosine, fmax(specular.w, 0.0f));
+    }
+    return share;
+}
+
+static float3 direct_light(const rsh_surface* surface, const rsh_lights* lights, float3 diffuse,
+                           float4 specular)
+{
+    float3 sum = (float3)(0.0f);
+    for (uint k = 0; k < lights->count; ++k) {
+        rsh_arrival arrival;
+        if (lights->hidden >> k & 1) continue;
+        if (!light_arrives(lights->lights[k], surface, &arrival)) continue;
+        sum += arrival.colour * sent_back(surface, arrival.direction, diffuse, specular);
+    }
+    return sum;
+}
+
+static float3 environment_colour(const rsh_images* images, uint image, float3 plain,
+                                 float3 direction)
+{
+#if RSH_ENVIRONMENT_IMAGE
+    const float2 uv = direction_to_uv(unit3(direction));
+    return plain * sample_image(images, image, uv, false);
+#else
+    return plain;
+#endif
+}
+
+__kernel void rsh_shade(rsh_mesh mesh, __global const float* vertices,
+                        __global const uint* indices, __global const float* normals,
+                        __global const float* texcoords, __global const uint* material_ids,
+                        __global const rsh_material* materials, uint material_count,
+                        __global const rsh_light* lights, uint light_count,
+                        __global const rsh_texture* textures, uint texture_count,
+                        __global const uint* texels, float4 ambient, float4 environment,
+                        uint environment_image, uint ray_count, __global const rsh_ray* rays,
+                        __global const rsh_hit* hits, __global const float4* weights,
+                        __global const uint* occlusion, __global float4* colour)
+{
+    const uint i = get_global_id(0);
+    if (i >= ray_count || !is_active(rays[i])) return;
+    const float3 weight = weights ? weights[i].xyz : (float3)(1.0f);
+    const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
+    const rsh_images images = {textures, texture_count, texels};
+    const rsh_hit hit = hits[i];
+
+    rsh_surface surface;
+    float3 seen;
+    if (find_surface(&shape, rays[i], hit, &surface)) {
+        const rsh_material material = materials[surface.material];
+        const rsh_lights near = {lights, light_count, occlusion ? occlusion[i] : 0};
+        const float3 diffuse = material.diffuse.xyz * texture_colour(&shape, &images, texcoords,
+                                                                     hit, material.texture);
+        seen = material.emission.xyz + material.ambient.xyz * ambient.xyz +
+               direct_light(&surface, &near, diffuse, material.specular);
+    } else {
+        seen = environment_colour(&images, environment_image, environment.xyz,
+                                  rays[i].direction_tmax.xyz);
+    }
+    colour[i].xyz += weight * seen;
+}

@@ -1,0 +1,105 @@
+/* spawn.cl - one mirror ray or one refracted ray per hit, see rsh_spawn.
+ *   rays, hits, weights              in      weights NULL: all 1
+ *   spawned_rays, spawned_weights    out     inactive, weight 0, where nothing is spawned
+ *   active_count                     in/out  grows by the active rays; may be NULL
+ * Shadow rays are shade/spawn_shadow.cl's job.
+ */
+#include "shade/fresnel.h"
+#include "shade/offset.h"
+#include "shade/spawned_ray.h"
+#include "lanes/stride.h"
+
+#ifndef RSH_TRANSMISSION
+#define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */
+#endif
+
+typedef struct rsh_branch {
+    float3 direction;
+    float3 side; /* geometric normal, towards the side that the ray leaves to */
+    float3 weight;
+} rsh_branch;
+
+static bool transmits(__global const rsh_material* material)
+{
+    return largest3(material->transmission.xyz) > 0.0f;
+}
+
+/* Most surfaces of most scenes send out no ray: known before their triangle is read. */
+static bool may_branch(const rsh_shape* shape, __global const rsh_material* materials,
+                       rsh_hit hit, bool is_refracted)
+{
+    if (hit.primitive >= shape->mesh.triangle_count) return false;
+    __global const rsh_material* material = materials + material_of(shape, hit.primitive);
+    if (is_refracted) return transmits(material);
+    return largest3(material->reflection.xyz) > 0.0f ||
+           (RSH_TRANSMISSION && transmits(material));
+}
+
+static rsh_branch refracted_branch(const rsh_surface* surface,
+                                   __global const rsh_material* material)
+{
+    const float4 transmission = material->transmission;
+    const rsh_dielectric at = dielectric_at(surface, transmission.w);
+    rsh_branch branch;
+    branch.side = -surface->geometric;
+    branch.direction = keep_on_side(refract_ray(surface, at), branch.side);
+    branch.weight = (1.0f - reflectance(at)) * transmission.xyz;
+    return branch;
+}
+
+static rsh_branch reflected_branch(const rsh_surface* surface,
+                                   __global const rsh_material* material)
+{
+    rsh_branch branch;
+    branch.side = surface->geometric;
+    branch.direction = keep_on_side(reflect_ray(surface), branch.side);
+    branch.weight = material->reflection.xyz;
+    if (RSH_TRANSMISSION && transmits(material)) {
+        const float share = reflectance(dielectric_at(surface, material->transmission.w));
+        branch.weight = share + (1.0f - share) * branch.weight;
+    }
+    return branch;
+}
+
+/* False: whatever the ray saw, it would not change the image. */
+static bool is_worth(float3 weight, float min_weight)
+{
+    return is_finite3(weight) && largest3(weight) > fmax(min_weight, 0.0f);
+}
+
+__kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
+                        __global const uint* indices, __global const float* normals,
+                        __global const uint* material_ids,
+                        __global const rsh_material* materials, uint material_count,
+                        uint ray_count, uint is_refracted, float min_weight,
+                        __global const rsh_ray* rays,
+                        __global const rsh_hit* hits, __global const float4* weights,
+                        __global rsh_ray* spawned_rays, __global float4* spawned_weights,
+                        __global uint* active_count)
+{
+    const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
+    const rsh_stride mine = my_elements(ray_count);
+    uint active = 0;
+    for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        rsh_ray spawned = inactive_ray();
+        float3 weight = (float3)(0.0f);
+        rsh_surface surface;
+        if (may_branch(&shape, materials, hits[i], is_refracted) &&
+            find_surface(&shape, rays[i], hits[i], &surface)) {
+            __global const rsh_material* material = materials + surface.material;
+            const rsh_branch branch = is_refracted ? refracted_branch(&surface, material)
+                                                   : reflected_branch(&surface, material);
+            const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
+            const rsh_ray ray = ray_from(leave_surface(&surface, branch.side), branch.direction,
+                                         INFINITY);
+            if (is_worth(product, min_weight) && is_active(ray)) {
+                spawned = ray;
+                weight = product;
+                ++active;
+            }
+        }
+        spawned_rays[i] = spawned;
+        spawned_weights[i] = (float4)(weight, 0.0f);
+    }
+    add_active(active_count, active);
+}

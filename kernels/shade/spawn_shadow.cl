@@ -1,0 +1,57 @@
+/* spawn_shadow.cl - one ray per hit towards one light, see rsh_spawn.
+ *   rays, hits    in
+ *   spawned_rays  out     inactive where the light could add nothing, or casts no shadow
+ *   active_count  in/out  grows by the active rays; may be NULL
+ */
+#include "shade/light.h"
+#include "shade/spawned_ray.h"
+#include "lanes/stride.h"
+
+/* End of a ray to a light at t = 1: a triangle that the light lies on, at most 16 times as wide
+ * as the ray is long, is found at 1 - 2^-16 or later (t errs by 2^-20 of its extent). */
+#define RSH_BEFORE_LIGHT (1.0f - 0x1p-16f)
+
+static bool is_lit(__global const rsh_material* material)
+{
+    return largest3(fabs(material->diffuse.xyz)) > 0.0f ||
+           largest3(fabs(material->specular.xyz)) > 0.0f;
+}
+
+/* False also for a light closer to the surface than the origin's offset. */
+static bool shadow_ray(rsh_light light, const rsh_surface* surface, rsh_ray* ray)
+{
+    rsh_arrival arrival;
+    if (!light.casts_shadow || !light_arrives(light, surface, &arrival)) return false;
+    const float3 origin = leave_surface(surface, surface->geometric);
+    if (is_positional(light))
+        *ray = ray_from(origin, light.position.xyz - origin, RSH_BEFORE_LIGHT);
+    else
+        *ray = ray_from(origin, arrival.direction, INFINITY);
+    return is_active(*ray) &&
+           dot3(surface->geometric, unit3(ray->direction_tmax.xyz)) > RSH_GRAZING;
+}
+
+__kernel void rsh_spawn_shadow(rsh_mesh mesh, __global const float* vertices,
+                               __global const uint* indices, __global const float* normals,
+                               __global const uint* material_ids,
+                               __global const rsh_material* materials, uint material_count,
+                               __global const rsh_light* lights, uint light, uint ray_count,
+                               __global const rsh_ray* rays, __global const rsh_hit* hits,
+                               __global rsh_ray* spawned_rays, __global uint* active_count)
+{
+    const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
+    const rsh_light source = lights[light];
+    const rsh_stride mine = my_elements(ray_count);
+    uint active = 0;
+    for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        rsh_ray ray;
+        rsh_surface surface;
+        if (find_surface(&shape, rays[i], hits[i], &surface) &&
+            is_lit(materials + surface.material) && shadow_ray(source, &surface, &ray))
+            ++active;
+        else
+            ray = inactive_ray();
+        spawned_rays[i] = ray;
+    }
+    add_active(active_count, active);
+}

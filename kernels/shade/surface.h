@@ -1,0 +1,100 @@
+/* surface.h - the point of a surface that a ray hits: where, which way it faces, of what it is.
+ * Computes no colour and no ray.
+ */
+#ifndef RSH_SHADE_SURFACE_H
+#define RSH_SHADE_SURFACE_H
+
+#include "mesh/algebra.h"
+
+#ifndef RSH_SMOOTH_NORMAL
+#define RSH_SMOOTH_NORMAL 0 /* 1: normals are interpolated between the vertices */
+#endif
+
+/* The buffers of rsh_scene that say what the triangles are like. */
+typedef struct rsh_shape {
+    rsh_mesh mesh;
+    __global const float* vertices;
+    __global const uint* indices;
+    __global const float* normals;
+    __global const uint* material_ids;
+    uint material_count;
+} rsh_shape;
+
+typedef struct rsh_surface {
+    rsh_triangle triangle;
+    float3 point;     /* on the triangle                                                  */
+    float3 geometric; /* unit normal of the triangle, turned to the side the ray comes from */
+    float3 normal;    /* unit, for shading, within 90 degrees of `geometric`              */
+    float3 incident;  /* unit direction of the ray                                        */
+    bool is_outside;  /* the ray comes from the side of (v1 - v0) x (v2 - v0)             */
+    uint material;
+} rsh_surface;
+
+/* Normal of a triangle with counter-clockwise corners, within a few ulp also for slivers: the
+ * rounding of the edges, which the cross product would magnify, is put back to first order.
+ * Edges are scaled by a power of two: products neither overflow nor vanish. 0: no area. */
+static float3 triangle_normal(rsh_triangle p)
+{
+    float3 rest1, rest2;
+    const float3 edge1 = exact_difference(p.v1, p.v0, &rest1);
+    const float3 edge2 = exact_difference(p.v2, p.v0, &rest2);
+    const float size = fmax(largest3(fabs(edge1)), largest3(fabs(edge2)));
+    if (!(size > 0.0f) || isinf(size)) return (float3)(0.0f);
+    const float scale = ldexp(1.0f, clamp(-ilogb(size), -125, 126));
+    const float3 a = scale * edge1, b = scale * edge2;
+    return unit3(cross3(a, b) + (cross3(scale * rest1, b) + cross3(a, scale * rest2)));
+}
+
+/* The barycentric point, as an offset from a corner: an error of u or v moves it along the
+ * triangle only, and the size of the coordinates counts once, in the last sum; see shade/offset.h. */
+static float3 triangle_point(rsh_triangle p, rsh_hit hit)
+{
+    return p.v0 + (hit.u * (p.v1 - p.v0) + hit.v * (p.v2 - p.v0));
+}
+
+static float3 vertex_normal(const rsh_shape* shape, uint vertex)
+{
+    return vload3(vertex, shape->normals);
+}
+
+/* Interpolated normal, turned to the side of `geometric`; zero or not finite: that one. Near
+ * silhouettes it may still face away from the viewer. */
+static float3 smooth_normal(const rsh_shape* shape, const rsh_surface* surface, rsh_hit hit)
+{
+    uint corner[3];
+    triangle_vertices(shape->mesh, shape->indices, hit.primitive, corner);
+    const float3 normal = unit3((1.0f - hit.u - hit.v) * vertex_normal(shape, corner[0]) +
+                          hit.u * vertex_normal(shape, corner[1]) +
+                          hit.v * vertex_normal(shape, corner[2]));
+    if (!(dot3(normal, normal) > 0.0f)) return surface->geometric;
+    return dot3(normal, surface->geometric) < 0.0f ? -normal : normal;
+}
+
+static uint material_of(const rsh_shape* shape, uint triangle)
+{
+    const uint id = shape->material_ids ? shape->material_ids[triangle] : 0;
+    return id < shape->material_count ? id : 0;
+}
+
+/* False: the ray is inactive or hits nothing. */
+static bool find_surface(const rsh_shape* shape, rsh_ray ray, rsh_hit hit, rsh_surface* surface)
+{
+    if (hit.primitive >= shape->mesh.triangle_count || !is_active(ray)) return false;
+    if (!load_triangle(shape->mesh, shape->vertices, shape->indices, hit.primitive,
+                       &surface->triangle))
+        return false;
+    const float3 normal = triangle_normal(surface->triangle);
+    surface->incident = unit3(ray.direction_tmax.xyz);
+    surface->is_outside = dot3(normal, surface->incident) <= 0.0f;
+    surface->geometric = surface->is_outside ? normal : -normal;
+    surface->point = triangle_point(surface->triangle, hit);
+    surface->material = material_of(shape, hit.primitive);
+#if RSH_SMOOTH_NORMAL
+    surface->normal = smooth_normal(shape, surface, hit);
+#else
+    surface->normal = surface->geometric;
+#endif
+    return dot3(normal, normal) > 0.0f;
+}
+
+#endif

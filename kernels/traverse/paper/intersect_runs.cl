@@ -1,0 +1,138 @@
+/* intersect_runs.cl - the last level of the engine `paper`: the 16 rays of a block against the
+ * triangles of its run.
+ *   triangles, runs  in      of the blocks
+ *   hits             in/out  closest so far; at first those of rsh_clear_hits
+ *   occlusion        in/out  any: a bit per ray
+ * A work-item owns the rays that it writes, and launches follow each other: no atomics. The one
+ * that finishes runs does for a tile what the levels below it would have done.
+ */
+#include "traverse/paper/intersect_runs.h"
+#include "traverse/paper/runs.h"
+#include "bvh/layout.h"
+#include "traverse/paper/siblings.h"
+
+/* Only those of the bound `box` have an order of rays. */
+static rsh_tile run_tile(rsh_levels shape, __global const float* nodes, uint tile)
+{
+#if RSH_FITTED
+    return tile_at(shape, 0, tile);
+#else
+    return tile_at(shape, (__global const uint*)nodes, tile);
+#endif
+}
+
+static __global const float* clusters_in(__global const float* bounds)
+{
+#if RSH_FITTED
+    return 0;
+#else
+    return bounds;
+#endif
+}
+
+__kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global rsh_hit* hits)
+{
+    const uint i = get_global_id(0);
+    if (i >= count) return; /* launch is rounded up to whole groups */
+    hits[i] = (rsh_hit){rays[i].direction_tmax.w, 0.0f, 0.0f, RSH_NO_HIT};
+}
+
+/* A work-item takes the blocks of a tile. */
+__kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
+                                 __global const float* vertices, __global const uint* indices,
+                                 __global const rsh_ray* rays,
+                                 __global const float* bounds,
+                                 __global const float* nodes,
+                                 __global const uint* triangles, __global const uint2* runs,
+                                 __global rsh_hit* hits, __global uint* occlusion,
+                                 uint occlusion_bit)
+{
+    const uint me = get_global_id(0);
+    if (me >= tile_count(shape)) return;
+    const rsh_levels levels = shape;
+    const rsh_run_target target = {mesh, vertices,  indices,       rays,
+                                   hits, occlusion, occlusion_bit, clusters_in(bounds)};
+    const rsh_tile tile = run_tile(shape, nodes, me);
+    for (uint b = 0; b < 16; ++b) {
+        const uint node = child_of(&levels, 1, me, b);
+        if (node == RSH_NO_NODE || runs[node].y == 0) continue;
+        const uint2 run = runs[node];
+        rsh_block block;
+        bool is_changed = false;
+        load_run_block(&target, tile, b, &block);
+        for (uint i = run.x; i < run.x + run.y; ++i)
+            is_changed |= offer_triangle(&target, &block, triangles[i]);
+        if (is_changed) store_run_block(&target, tile, b, &block);
+    }
+}
+
+/* Triangles that a tile meets are gathered before its blocks are loaded. */
+#define RSH_GATHERED 128
+
+typedef struct rsh_gathered {
+    uint triangle[RSH_GATHERED];
+    ushort met[RSH_GATHERED];
+    uint count;
+} rsh_gathered;
+
+static void intersect_gathered(const rsh_run_target* target, rsh_tile tile,
+                               const rsh_gathered* gathered)
+{
+    for (uint b = 0; b < 16; ++b) {
+        rsh_block block;
+        bool is_loaded = false, is_changed = false;
+        for (uint i = 0; i < gathered->count; ++i) {
+            if (!(gathered->met[i] >> b & 1)) continue;
+            if (!is_loaded) load_run_block(target, tile, b, &block);
+            is_loaded = true;
+            is_changed |= offer_triangle(target, &block, gathered->triangle[i]);
+        }
+        if (is_changed) store_run_block(target, tile, b, &block);
+    }
+}
+
+/* A work-item takes a tile whose ancestor at step.level + 1 was left over by the stream: its
+ * triangles against the blocks, and the rays of those. groups: of the tiles' children. */
+__kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh,
+                              __global const float* vertices, __global const uint* indices,
+                              __global const rsh_ray* rays,
+                              __global const float* bounds,
+                              __global const float* groups, __global const uint* triangles,
+                              __global const uint2* runs, __global const uint* sums,
+                              __global rsh_hit* hits, __global uint* occlusion,
+                              uint occlusion_bit, __global uint* tally)
+{
+    const uint me = get_global_id(0);
+    if (me >= tile_count(shape)) return;
+    const rsh_levels levels = shape;
+    const uint level = step.level + 1;
+    const uint ancestor =
+        level == 2 ? me : place_of(&levels, 2, me, level - 1).parent;
+    if (!is_left_over(step, sums, ancestor)) return;
+    const rsh_run run = run_of(step, runs, ancestor);
+    const rsh_run_target target = {
+        mesh, vertices,  indices,       rays,
+        hits, occlusion, occlusion_bit, clusters_in(bounds)};
+    const rsh_tile tile = run_tile(shape, groups, me);
+    rsh_siblings blocks;
+    load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);
+    rsh_gathered gathered;
+    gathered.count = 0;
+    uint pairs = 0;
+    for (uint i = run.begin; i < run.begin + run.count; ++i) {
+        const uint triangle = triangle_at(step, triangles, i);
+        const uint met = siblings_meeting(&blocks, bounds, triangle);
+        if (met) {
+            gathered.triangle[gathered.count] = triangle;
+            gathered.met[gathered.count++] = (ushort)met;
+            pairs += popcount(met);
+        }
+        if (gathered.count < RSH_GATHERED) continue;
+        intersect_gathered(&target, tile, &gathered);
+        gathered.count = 0;
+    }
+    intersect_gathered(&target, tile, &gathered);
+    if (!step.is_counting) return;
+    atomic_add(tally + RSH_TALLY_FINISHED, run.count);
+    atomic_add(tally + RSH_TALLY_FINISHED + 1, pairs);
+}

@@ -1,0 +1,89 @@
+/* closest_hit_atomic.h - intersects (triangle, ray) pairs and keeps what they hit, whatever order they
+ * come in.
+ *
+ * While a traversal runs, hits[ray].primitive is the best triangle so far. An offer replaces it
+ * by compare-and-swap only if the new hit is closer, or as close with a lower index; the t of
+ * the old one is computed again, by the same instructions, so 32-bit atomics suffice, and t, u
+ * and v need not be stored until rsh_resolve. The order of offers cannot matter: the result is
+ * a minimum.
+ */
+#ifndef RSH_TRAVERSE_PAPER_FAITHFUL_CLOSEST_HIT_ATOMIC_H
+#define RSH_TRAVERSE_PAPER_FAITHFUL_CLOSEST_HIT_ATOMIC_H
+
+#include "mesh/intersect.h"
+#include "traverse/paper_faithful/types.h"
+
+typedef struct rsh_target {
+    rsh_mesh mesh;
+    __global const float* vertices;
+    __global const uint* indices;
+    __global const rsh_ray* rays;
+    volatile __global rsh_hit* hits;
+    volatile __global uint* occlusion;
+    uint occlusion_bit; /* as a mask; 0: closest hits are wanted */
+} rsh_target;
+
+static bool is_closer(const rsh_target* target, uint ray, float t, uint triangle, uint best)
+{
+    rsh_triangle corners;
+    rsh_hit hit;
+    load_triangle(target->mesh, target->vertices, target->indices, best, &corners);
+    intersect_one(target->rays[ray], corners, &hit);
+    return t < hit.t || (t == hit.t && triangle < best);
+}
+
+static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle)
+{
+    if (target->occlusion_bit) {
+        atomic_or(target->occlusion + ray, target->occlusion_bit);
+        return;
+    }
+    volatile __global uint* slot = &target->hits[ray].primitive;
+    uint best = RSH_NO_HIT; /* a guess: the first exchange reads the slot */
+    do {
+        const uint seen = atomic_cmpxchg(slot, best, triangle);
+        if (seen == best) return;
+        best = seen;
+    } while (is_closer(target, ray, t, triangle, best));
+}
+
+/* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. */
+static void gather(const rsh_target* target, const rsh_pair* pairs, uint count,
+                   rsh_sheared* sheared, floatv* corner)
+{
+    float lanes[17][RSH_WIDTH];
+    for (uint i = 0; i < RSH_WIDTH; ++i) {
+        const rsh_pair pair = pairs[i < count ? i : 0];
+        const rsh_ray ray = target->rays[pair.node];
+        rsh_triangle p;
+        load_triangle(target->mesh, target->vertices, target->indices, pair.triangle, &p);
+        const float16 values =
+            (float16)(ray.origin_tmin, ray.direction_tmax, p.v0, p.v1, p.v2.x, p.v2.y);
+        float row[16];
+        vstore16(values, 0, row);
+        for (uint f = 0; f < 16; ++f) lanes[f][i] = row[f];
+        lanes[16][i] = p.v2.z;
+    }
+    *sheared = shear_rays(load_lanes(lanes[0]), load_lanes(lanes[1]), load_lanes(lanes[2]),
+                          load_lanes(lanes[4]), load_lanes(lanes[5]), load_lanes(lanes[6]),
+                          load_lanes(lanes[3]), load_lanes(lanes[7]));
+    for (uint f = 0; f < 9; ++f) corner[f] = load_lanes(lanes[8 + f]);
+}
+
+/* Intersects up to RSH_WIDTH pairs. */
+static void intersect_pairs(const rsh_target* target, const rsh_pair* pairs, uint count)
+{
+    rsh_sheared sheared;
+    floatv corner[9];
+    gather(target, pairs, count, &sheared, corner);
+    const rsh_hits hits = intersect(sheared, corner);
+    if (!any_lane(hits.is_hit)) return;
+    int is_hit[RSH_WIDTH];
+    float t[RSH_WIDTH];
+    store_lanes(hits.is_hit, is_hit);
+    store_lanes(hits.t, t);
+    for (uint i = 0; i < count; ++i)
+        if (is_hit[i]) offer_hit(target, pairs[i].node, t[i], pairs[i].triangle);
+}
+
+#endif

@@ -1,0 +1,26 @@
+/* intersect.cl - the traversal's last step: intersects the (triangle, ray) pairs that survived.
+ *   pairs, pair_count  in      level 0 of the stream
+ *   hits               in/out  closest: .primitive is the best triangle so far, RSH_NO_HIT at
+ *                      first
+ *   occlusion          in/out  any: a bit per ray
+ */
+#include "traverse/paper_faithful/closest_hit_atomic.h"
+#include "lanes/stride.h"
+
+__kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
+                            __global const uint* indices, __global const rsh_ray* rays,
+                            __global const rsh_pair* pairs, __global const uint* pair_count,
+                            __global rsh_hit* hits, __global uint* occlusion,
+                            uint occlusion_bit)
+{
+    const rsh_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const uint count = *pair_count;
+    const rsh_stride mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
+    for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        const uint first = i * RSH_WIDTH;
+        const uint filled = min((uint)RSH_WIDTH, count - first);
+        rsh_pair group[RSH_WIDTH];
+        for (uint k = 0; k < filled; ++k) group[k] = pairs[first + k];
+        intersect_pairs(&target, group, filled);
+    }
+}

@@ -1,0 +1,145 @@
+/* single_ray.h - a ray that goes down the boxes on its own: 16 boxes, or 16 triangles, at a
+ * time. The slab test is that of rays/box_node.h, where the node is one ray. */
+#ifndef RSH_TRAVERSE_TILES_SINGLE_RAY_H
+#define RSH_TRAVERSE_TILES_SINGLE_RAY_H
+
+#include "bvh/layout.h"
+#include "traverse/packet16.h"
+
+typedef struct rsh_lone_ray {
+    uint near_row[3], far_row[3]; /* of a group: where its bounds of t lie */
+    float near_origin[3], far_origin[3], inverse[3];
+    float limit; /* tmax, raised; negative: retired */
+    uint k_row[3]; /* of a corner: the axes x y z of rsh_sheared */
+    float k_origin[3], slope_x, slope_y, inverse_z, tmin, tmax;
+    float u, v;
+    uint primitive;
+} rsh_lone_ray;
+
+static rsh_lone_ray lone_ray(const rsh_block* block, uint k)
+{
+    const rsh_sheared* r = &block->ray[k / RSH_WIDTH];
+    const uint lane = k % RSH_WIDTH;
+    rsh_lone_ray ray;
+    const float origin[3] = {lane_of(&r->origin_x, lane), lane_of(&r->origin_y, lane),
+                             lane_of(&r->origin_z, lane)};
+    for (uint axis = 0; axis < 3; ++axis) {
+        const float inverse = lane_of(block->inverse[axis], k);
+        const bool is_negative = inverse < 0.0f;
+        ray.inverse[axis] = inverse;
+        ray.near_row[axis] = 16 * axis + (is_negative ? 48 : 0);
+        ray.far_row[axis] = 16 * axis + (is_negative ? 0 : 48);
+        ray.near_origin[axis] = origin[axis] + (is_negative ? -block->pad : block->pad);
+        ray.far_origin[axis] = origin[axis] - (is_negative ? -block->pad : block->pad);
+    }
+    const uint z = ((const int*)&r->kz_is_x)[lane]   ? 0
+                   : ((const int*)&r->kz_is_y)[lane] ? 1
+                                                     : 2;
+    for (uint i = 0; i < 3; ++i) {
+        const uint axis = (z + 1 + i) % 3;
+        ray.k_row[i] = 16 * axis;
+        ray.k_origin[i] = origin[axis];
+    }
+    ray.slope_x = lane_of(&r->slope_x, lane);
+    ray.slope_y = lane_of(&r->slope_y, lane);
+    ray.inverse_z = lane_of(&r->inverse_z, lane);
+    ray.tmin = lane_of(&r->tmin, lane);
+    ray.tmax = lane_of(&r->tmax, lane);
+    ray.limit = ray.tmax * RSH_RAISED;
+    ray.u = lane_of(block->u, k);
+    ray.v = lane_of(block->v, k);
+    ray.primitive = ((const uint*)block->primitive)[k];
+    return ray;
+}
+
+static void put_back(const rsh_lone_ray* ray, rsh_block* block, uint k)
+{
+    ((float*)&block->ray[k / RSH_WIDTH].tmax)[k % RSH_WIDTH] = ray->tmax;
+    ((float*)block->u)[k] = ray->u;
+    ((float*)block->v)[k] = ray->v;
+    ((uint*)block->primitive)[k] = ray->primitive;
+}
+
+/* Which of 16 boxes the ray can meet, and from which t on. */
+static uint boxes_met_by_ray(const rsh_lone_ray* ray, __global const float* group, float* near)
+{
+    uint met = 0;
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        floatv from = (floatv)(0.0f), to = (floatv)(ray->tmax);
+        for (uint axis = 0; axis < 3; ++axis) {
+            const floatv low = load_lanes(group + ray->near_row[axis] + RSH_WIDTH * v);
+            const floatv high = load_lanes(group + ray->far_row[axis] + RSH_WIDTH * v);
+            const floatv inverse = (floatv)(ray->inverse[axis]);
+            from = greater((low - ray->near_origin[axis]) * inverse, from);
+            to = lesser((high - ray->far_origin[axis]) * inverse, to);
+        }
+        store_lanes(from, near + RSH_WIDTH * v);
+        met |= RSH_LANE_BITS(from <= to * RSH_RAISED) << (RSH_WIDTH * v);
+    }
+    return met;
+}
+
+/* Sixteen triangles, seen from the ray. */
+static rsh_seen see_cluster(const rsh_lone_ray* ray, __global const float* cluster, uint v)
+{
+    rsh_seen s;
+    __global const float* x = cluster + ray->k_row[0] + RSH_WIDTH * v;
+    __global const float* y = cluster + ray->k_row[1] + RSH_WIDTH * v;
+    __global const float* z = cluster + ray->k_row[2] + RSH_WIDTH * v;
+    const floatv slope_x = (floatv)(ray->slope_x), slope_y = (floatv)(ray->slope_y);
+    s.az = load_lanes(z) - ray->k_origin[2];
+    s.bz = load_lanes(z + 48) - ray->k_origin[2];
+    s.cz = load_lanes(z + 96) - ray->k_origin[2];
+    s.ax = (load_lanes(x) - ray->k_origin[0]) - slope_x * s.az;
+    s.bx = (load_lanes(x + 48) - ray->k_origin[0]) - slope_x * s.bz;
+    s.cx = (load_lanes(x + 96) - ray->k_origin[0]) - slope_x * s.cz;
+    s.ay = (load_lanes(y) - ray->k_origin[1]) - slope_y * s.az;
+    s.by = (load_lanes(y + 48) - ray->k_origin[1]) - slope_y * s.bz;
+    s.cy = (load_lanes(y + 96) - ray->k_origin[1]) - slope_y * s.cz;
+    return s;
+}
+
+static floatv scales_of(__global const float* cluster, uint v)
+{
+    floatv corner[9];
+    for (uint i = 0; i < 9; ++i) corner[i] = load_lanes(cluster + 16 * i + RSH_WIDTH * v);
+    return triangle_scale(corner);
+}
+
+/* As intersect_block. */
+static bool intersect_cluster(rsh_lone_ray* ray, __global const float* cluster, bool is_scaled,
+                              bool is_any)
+{
+    __global const uint* triangles = (__global const uint*)cluster + RSH_TRIANGLES_AT;
+    bool changed = false;
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        rsh_seen seen = see_cluster(ray, cluster, v);
+        if (is_scaled) scale_across(&seen, scales_of(cluster, v));
+        rsh_sheared r;
+        r.inverse_z = (floatv)(ray->inverse_z);
+        r.tmin = (floatv)(ray->tmin);
+        r.tmax = (floatv)(ray->tmax);
+        const rsh_hits hits = cut(r, seen);
+        uint met = RSH_LANE_BITS(hits.is_hit);
+        if (!met) continue;
+        float t[RSH_WIDTH], u[RSH_WIDTH], w[RSH_WIDTH];
+        store_lanes(hits.t, t);
+        store_lanes(hits.u, u);
+        store_lanes(hits.v, w);
+        for (; met; met &= met - 1) {
+            const uint k = 31 - clz(met & -met), triangle = triangles[RSH_WIDTH * v + k];
+            if (!(t[k] < ray->tmax || (t[k] == ray->tmax && triangle < ray->primitive)))
+                continue;
+            changed = true;
+            ray->tmax = t[k];
+            ray->u = u[k];
+            ray->v = w[k];
+            ray->primitive = triangle;
+        }
+    }
+    if (changed && is_any) ray->tmax = -1.0f;
+    ray->limit = ray->tmax * RSH_RAISED;
+    return changed;
+}
+
+#endif

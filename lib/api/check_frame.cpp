@@ -1,0 +1,74 @@
+// check_frame.cpp - calls that start at the camera: rasterize and frame.
+#include <cmath>
+
+#include "api/check_fields.hpp"
+#include "camera/rasterize.hpp"
+#include "pipeline.hpp"
+#include "reduce/strategy.hpp"
+#include "traverse/engine.hpp"
+
+namespace rsh {
+namespace {
+
+void check_side(const char* field, cl_uint side) {
+    require(side >= 1 && side <= kMaxSide, field, side, "1 .. " + std::to_string(kMaxSide));
+}
+
+void check_axis(const char* field, const rsh_float4& v) {
+    check_vector(field, v);
+    require(v.s[0] != 0 || v.s[1] != 0 || v.s[2] != 0, field, 0, "a direction");
+}
+
+void check_camera(const rsh_camera& camera) {
+    check_vector("camera.eye", camera.eye);
+    check_axis("camera.forward", camera.forward);
+    check_axis("camera.right", camera.right);
+    check_axis("camera.up", camera.up);
+    const float near = camera.eye.s[3], far = camera.forward.s[3];
+    require(near >= 0 && std::isfinite(near), "camera.eye.w (near)", near,
+            "finite, not negative");
+    require(far == 0 || far > near, "camera.forward.w (far)", far, "0 or above near");
+}
+
+}  // namespace
+
+void check_shape(const rsh_rasterize_desc& desc) {
+    check_shape(desc.geometry);
+    check_camera(desc.camera);
+    check_side("width", desc.width);
+    check_side("height", desc.height);
+}
+
+void check_buffers(const Context& context, const rsh_rasterize_desc& desc) {
+    check_buffers(context, desc.geometry);
+    const cl_ulong pixels = cl_ulong{desc.width} * desc.height;
+    check_buffer(context, "rays", desc.rays, pixels * sizeof(rsh_ray));
+    check_buffer(context, "hits", desc.hits, pixels * sizeof(rsh_hit));
+    check_scratch(context, desc.scratch, rasterize_scratch(context, desc).bytes());
+}
+
+void check_shape(const rsh_frame_desc& desc) {
+    check_shape(*desc.scene);
+    check_camera(desc.camera);
+    check_side("width", desc.width);
+    check_side("height", desc.height);
+    require(desc.bounces <= RSH_MAX_LEVELS, "bounces", desc.bounces,
+            "at most " + std::to_string(RSH_MAX_LEVELS));
+    check_min_weight(desc.min_weight);
+    const Engine& engine = find_engine(desc.engine);
+    if (desc.bound != RSH_BOUND_DEFAULT) check_bound(engine, desc.bound);
+    find_strategy(desc.strategy);
+    check_budget(desc.budget);
+    require(desc.update <= RSH_UPDATE_FIRST, "update", desc.update, "an RSH_UPDATE_... value");
+}
+
+void check_buffers(const Context& context, const rsh_frame_desc& desc) {
+    check_buffers(context, *desc.scene);
+    check_buffer(context, "colour", desc.colour, cl_ulong{desc.width} * desc.height * 16);
+    require(!desc.update || desc.bounds, "update", desc.update, "0 without bounds");
+    check_optional(context, "bounds", desc.bounds,
+                   frame_bound(desc).scene_bytes(desc.scene->geometry));
+    check_scratch(context, desc.scratch, frame_scratch(context, desc).bytes());
+}
+
+}  // namespace rsh

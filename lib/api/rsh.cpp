@@ -1,0 +1,333 @@
+// rsh.cpp - the C boundary: checks arguments, turns exceptions into statuses, calls the passes.
+// No exception leaves this file, no OpenCL call is made in it.
+#include <rsh/rsh.h>
+
+#include <cstring>
+
+#include "api/check.hpp"
+#include "bvh/bound.hpp"
+#include "camera/rasterize.hpp"
+#include "frame/features.hpp"
+#include "pipeline.hpp"
+#include "rays/bound.hpp"
+#include "rays/build.hpp"
+#include "rays/levels.hpp"
+#include "reduce/selftest.hpp"
+#include "reduce/strategy.hpp"
+#include "shade/shade.hpp"
+#include "shade/spawn.hpp"
+#include "traverse/engine.hpp"
+
+namespace rsh {
+namespace {
+
+// Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so
+// also when `pass` throws.
+template <class Desc, class Pass>
+rsh_status enqueue(rsh_context context, const Submission& submission, const Desc* desc,
+                   cl_event* done, Pass pass) {
+    return guarded([&] {
+        if (done) *done = nullptr;
+        Context& checked = checked_context(context);
+        const Received<Desc> received(desc);
+        check_submission(checked, submission.queue, submission.wait_count,
+                         submission.wait_list);
+        check_shape(*received);
+        check_buffers(checked, *received);
+        Recorder recorder(checked, submission, done);
+        pass(recorder, *received);
+        recorder.finish();
+    });
+}
+
+// Checks all but the buffers, then lets `measure` tell the sizes.
+template <class Desc, class Measure>
+rsh_status query(rsh_context context, const Desc* desc, rsh_sizes* sizes, Measure measure) {
+    return guarded([&] {
+        const Context& checked = checked_context(context);
+        const Received<Desc> received(desc);
+        check_struct(sizes, "sizes", "sizes.struct_size");
+        check_shape(*received);
+        hand_back(measure(checked, *received), sizes);
+    });
+}
+
+rsh_sizes sizes_of(size_t output_bytes, size_t scratch_bytes) {
+    return {sizeof(rsh_sizes), output_bytes, scratch_bytes};
+}
+
+const char* status_text(rsh_status status) {
+    switch (status) {
+        case RSH_SUCCESS:
+            return "RSH_SUCCESS: no error";
+        case RSH_INVALID_VALUE:
+            return "RSH_INVALID_VALUE: a field is wrong";
+        case RSH_BUFFER_TOO_SMALL:
+            return "RSH_BUFFER_TOO_SMALL: a buffer holds too few bytes";
+        case RSH_NO_DEVICE:
+            return "RSH_NO_DEVICE: no OpenCL platform or device";
+        case RSH_BUILD_FAILED:
+            return "RSH_BUILD_FAILED: a kernel did not compile";
+        case RSH_UNSUPPORTED:
+            return "RSH_UNSUPPORTED: the device lacks what the call needs";
+        case RSH_OUT_OF_MEMORY:
+            return "RSH_OUT_OF_MEMORY: the host is out of memory";
+        case RSH_CANCELLED:
+            return "RSH_CANCELLED: the progress callback asked to stop";
+        case RSH_INTERNAL_ERROR:
+            return "RSH_INTERNAL_ERROR: a defect of rsh";
+        default:
+            return opencl_error_name(status);
+    }
+}
+
+template <class Choice>
+const char* name_of(const std::vector<const Choice*>& choices, cl_uint id) {
+    for (const Choice* choice : choices)
+        if (choice->id() == id) return choice->name();
+    return nullptr;
+}
+
+template <class Choice>
+cl_uint id_of(const std::vector<const Choice*>& choices, const char* name) {
+    require_not_null(name, "name");
+    std::string known;
+    for (const Choice* choice : choices) {
+        if (std::strcmp(choice->name(), name) == 0) return choice->id();
+        known += std::string(known.empty() ? "" : ", ") + choice->name();
+    }
+    throw Error(RSH_INVALID_VALUE,
+                std::string("name: is \"") + name + "\", must be one of " + known);
+}
+
+}  // namespace
+}  // namespace rsh
+
+extern "C" {
+
+const char* rsh_status_string(rsh_status status) {
+    const char* text = rsh::status_text(status);
+    return text ? text : "unknown status";
+}
+
+const char* rsh_last_error(void) {
+    return rsh::last_error();
+}
+
+cl_uint rsh_version(void) {
+    return RSH_VERSION;
+}
+
+rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(context, "context");
+        *context = nullptr;
+        const rsh::Received<rsh_context_desc> received(desc);
+        rsh::require_not_null(received->context, "context");
+        rsh::require_not_null(received->device, "device");
+        *context = new rsh_context_s(*received);
+    });
+}
+
+void rsh_release_context(rsh_context context) {
+    delete context;
+}
+
+rsh_status rsh_find_device(const char* name, cl_platform_id* platform, cl_device_id* device) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(device, "device");
+        const cl::Device found = rsh::find_device(name);
+        *device = found();
+        if (platform) *platform = found.getInfo<CL_DEVICE_PLATFORM>();
+    });
+}
+
+rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled) {
+    return rsh::guarded(
+        [&] { rsh::checked_context(context).statistics.enable(enabled != CL_FALSE); });
+}
+
+rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics) {
+    return rsh::guarded([&] {
+        rsh::Context& checked = rsh::checked_context(context);
+        rsh::check_struct(statistics, "statistics", "statistics.struct_size");
+        rsh_statistics sums = checked.statistics.sum();
+        sums.programs_built = checked.programs.built();
+        sums.programs_loaded = checked.programs.loaded();
+        sums.scratch_bytes = checked.pool.bytes();
+        rsh::hand_back(sums, statistics);
+    });
+}
+
+rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
+                             const rsh_light* lights) {
+    return rsh::guarded([&] {
+        rsh::check_struct(scene, "scene", "scene.struct_size");
+        if (scene->material_count) rsh::require_not_null(materials, "materials");
+        if (scene->light_count) rsh::require_not_null(lights, "lights");
+        rsh::require(scene->light_count <= RSH_MAX_LIGHTS, "scene.light_count",
+                     scene->light_count, "at most " + std::to_string(RSH_MAX_LIGHTS));
+        rsh_scene found = rsh::widened(scene);
+        rsh::find_features(found, materials, lights);
+        rsh::hand_back(found, scene);
+    });
+}
+
+rsh_status rsh_rasterize_query(rsh_context context, const rsh_rasterize_desc* desc,
+                               rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(0, rsh::rasterize_scratch(own, checked).bytes());
+    });
+}
+
+rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
+                         const rsh_rasterize_desc* desc, cl_uint wait_count,
+                         const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::rasterize);
+}
+
+rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc, rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        const rsh::Bound& bound = rsh::find_bound(checked.bound);
+        return rsh::sizes_of(
+            bound.scene_bytes(checked.geometry),
+            bound.bound_scratch(own, checked.geometry, checked.update).bytes());
+    });
+}
+
+rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_bound_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::bound);
+}
+
+rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes,
+                           rsh_levels* levels) {
+    return rsh::query(context, desc, sizes, [levels](const auto& own, const auto& checked) {
+        const rsh::Bound& bound = rsh::find_bound(checked.bound);
+        const rsh_levels shape = bound.levels(checked.width, checked.height);
+        if (levels) *levels = shape;
+        return rsh::sizes_of(bound.node_bytes(shape), bound.build_scratch(own, shape).bytes());
+    });
+}
+
+rsh_status rsh_build(rsh_context context, cl_command_queue queue, const rsh_build_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::build);
+}
+
+rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc,
+                              rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        const rsh::Engine& engine = rsh::find_engine(checked.engine);
+        const cl_ulong rays = rsh::ray_count(checked.width, checked.height);
+        return rsh::sizes_of(
+            rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
+            engine.scratch(own, checked, rsh::scene_bounds_of(checked)).bytes());
+    });
+}
+
+rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
+                        const rsh_traverse_desc* desc, cl_uint wait_count,
+                        const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(
+        context, {queue, wait_count, wait_list}, desc, done,
+        [](rsh::Recorder& recorder, const rsh_traverse_desc& checked) {
+            rsh::find_engine(checked.engine).traverse(recorder, checked);
+            recorder.context().statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
+        });
+}
+
+rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::spawn);
+}
+
+rsh_status rsh_shade(rsh_context context, cl_command_queue queue, const rsh_shade_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::shade);
+}
+
+rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc, rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(size_t{checked.width} * checked.height * sizeof(rsh_float4),
+                             rsh::frame_scratch(own, checked).bytes());
+    });
+}
+
+rsh_status rsh_frame(rsh_context context, cl_command_queue queue, const rsh_frame_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::frame);
+}
+
+rsh_status rsh_reduce_query(rsh_context context, const rsh_reduce_desc* desc,
+                            rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(size_t{checked.count} * checked.element_bytes,
+                             rsh::reduce_scratch(own, checked).bytes());
+    });
+}
+
+rsh_status rsh_reduce(rsh_context context, cl_command_queue queue, const rsh_reduce_desc* desc,
+                      cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::reduce);
+}
+
+rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
+                               rsh_selftest* report) {
+    return rsh::guarded([&] {
+        rsh::Context& checked = rsh::checked_context(context);
+        rsh::check_submission(checked, queue, 0, nullptr);
+        rsh::check_struct(report, "report", "report.struct_size");
+        rsh_selftest found = {};
+        rsh::selftest(checked, queue, found);
+        rsh::hand_back(found, report);
+    });
+}
+
+cl_bool rsh_strategy_is_stable(cl_uint strategy) {
+    for (const rsh::Strategy* known : rsh::strategies())
+        if (known->id() == strategy) return known->is_stable() ? CL_TRUE : CL_FALSE;
+    return CL_FALSE;
+}
+
+const char* rsh_strategy_name(cl_uint strategy) {
+    return rsh::name_of(rsh::strategies(), strategy);
+}
+
+const char* rsh_engine_name(cl_uint engine) {
+    return rsh::name_of(rsh::engines(), engine);
+}
+
+cl_uint rsh_engine_bound(cl_uint engine) {
+    for (const rsh::Engine* known : rsh::engines())
+        if (known->id() == engine || engine == RSH_ENGINE_DEFAULT)
+            return known->preferred_bound();
+    return RSH_BOUND_DEFAULT;
+}
+
+const char* rsh_bound_name(cl_uint bound) {
+    return rsh::name_of(rsh::bounds(), bound);
+}
+
+rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(strategy, "strategy");
+        *strategy = rsh::id_of(rsh::strategies(), name);
+    });
+}
+
+rsh_status rsh_engine_from_name(const char* name, cl_uint* engine) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(engine, "engine");
+        *engine = rsh::id_of(rsh::engines(), name);
+    });
+}
+
+rsh_status rsh_bound_from_name(const char* name, cl_uint* bound) {
+    return rsh::guarded([&] {
+        rsh::require_not_null(bound, "bound");
+        *bound = rsh::id_of(rsh::bounds(), name);
+    });
+}
+
+}  // extern "C"

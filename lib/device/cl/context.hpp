@@ -1,0 +1,38 @@
+// context.hpp - what rsh_context is: programs, scratch memory and statistics for one device.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include <atomic>
+
+#include "device/cl/device_caps.hpp"
+#include "device/cl/opencl.hpp"
+#include "device/cl/programs.hpp"
+#include "device/cl/scratch_pool.hpp"
+#include "device/cl/statistics_log.hpp"
+
+namespace rsh {
+
+class Context {
+public:
+    explicit Context(const rsh_context_desc& desc);
+
+    cl::Context cl;
+    cl::Device device;
+    DeviceCaps caps;
+    cl_uint vector_width;
+    Programs programs;
+    ScratchPool pool;
+    StatisticsLog statistics;
+    // Bit s: the strategy of value s gives wrong answers here; see rsh_device_selftest.
+    std::atomic<cl_uint> unsafe_strategies{0};
+};
+
+// RSH_DEVICE or `name` as a substring of platform or device; see rsh_find_device.
+cl::Device find_device(const char* name);
+
+}  // namespace rsh
+
+struct rsh_context_s : rsh::Context {
+    using rsh::Context::Context;
+};

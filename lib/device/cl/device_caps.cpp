@@ -1,0 +1,53 @@
+#include "device/cl/device_caps.hpp"
+
+#include <algorithm>
+
+#include "device/error.hpp"
+
+namespace rsh {
+namespace {
+
+std::string identity_of(const cl::Device& device) {
+    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
+    return platform.getInfo<CL_PLATFORM_NAME>() + '\n' +
+           platform.getInfo<CL_PLATFORM_VERSION>() + '\n' + device.getInfo<CL_DEVICE_NAME>() +
+           '\n' + device.getInfo<CL_DEVICE_VERSION>() + '\n' +
+           device.getInfo<CL_DRIVER_VERSION>();
+}
+
+// What the compiler prefers is no guide: where it vectorizes across work-items that is 1.
+cl_uint register_width(const cl::Device& device) {
+    const cl_uint native = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
+    for (const cl_uint width : {16u, 8u, 4u})
+        if (native >= width) return width;
+    return 1;
+}
+
+void require_supported(const cl::Device& device) {
+    if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>())
+        throw Error(RSH_UNSUPPORTED, "device: has no OpenCL C compiler, one is required");
+    if (!device.getInfo<CL_DEVICE_ENDIAN_LITTLE>())
+        throw Error(RSH_UNSUPPORTED, "device: is big-endian, little-endian is required");
+    const std::string version = device.getInfo<CL_DEVICE_OPENCL_C_VERSION>();
+    if (version.compare(0, 11, "OpenCL C 1.") == 0 && version[11] < '2')
+        throw Error(RSH_UNSUPPORTED, "device: has " + version + ", OpenCL C 1.2 is required");
+}
+
+}  // namespace
+
+DeviceCaps::DeviceCaps(const cl::Device& device) {
+    require_supported(device);
+    is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+    correctly_rounded = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() &
+                         CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    vector_width = register_width(device);
+    compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    max_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    group_size = std::min<size_t>(64, max_group_size);
+    // CL_DEVICE_MEM_BASE_ADDR_ALIGN counts bits; 64 bytes keep parts off shared cache lines.
+    alignment = std::max<size_t>(64, device.getInfo<CL_DEVICE_MEM_BASE_ADDR_ALIGN>() / 8);
+    max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    identity = identity_of(device);
+}
+
+}  // namespace rsh

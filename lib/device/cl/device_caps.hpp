@@ -1,0 +1,24 @@
+// device_caps.hpp - what a device can do, queried once; never guessed from a vendor's name.
+#pragma once
+
+#include <string>
+
+#include "device/cl/opencl.hpp"
+
+namespace rsh {
+
+struct DeviceCaps {
+    explicit DeviceCaps(const cl::Device& device);
+
+    bool is_cpu;
+    bool correctly_rounded;  // divide and square root may be asked to round correctly
+    cl_uint vector_width;    // of the registers, in floats: 1, 4, 8 or 16
+    cl_uint compute_units;
+    size_t max_group_size;
+    size_t group_size;        // of element-wise kernels
+    size_t alignment;         // of sub-buffers, in bytes
+    cl_ulong max_allocation;  // bytes of one buffer
+    std::string identity;     // platform, device and driver with their versions, for cache keys
+};
+
+}  // namespace rsh

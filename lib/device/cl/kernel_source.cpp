@@ -1,0 +1,75 @@
+#include "device/cl/kernel_source.hpp"
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "device/error.hpp"
+
+namespace rsh {
+namespace {
+
+std::string read_embedded(const std::string& name) {
+    for (size_t i = 0; i < kEmbeddedFileCount; ++i)
+        if (name == kEmbeddedFiles[i].name)
+            return {reinterpret_cast<const char*>(kEmbeddedFiles[i].text),
+                    kEmbeddedFiles[i].bytes};
+    throw Error(RSH_INTERNAL_ERROR, "no embedded kernel file " + name);
+}
+
+// The types of the interface, rsh/..., live in include/, beside the folder of the kernels.
+std::string read_from(const std::string& folder, const std::string& name) {
+    const std::string path =
+        folder + (name.rfind("rsh/", 0) == 0 ? "/../include/" : "/") + name;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(RSH_INVALID_VALUE, "kernel_dir: cannot read " + path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string included_name(const std::string& line) {
+    const std::string directive = "#include \"";
+    if (line.compare(0, directive.size(), directive) != 0) return {};
+    return line.substr(directive.size(), line.find('"', directive.size()) - directive.size());
+}
+
+class Expander {
+public:
+    explicit Expander(const std::string& folder) : folder_(folder) {}
+
+    void expand(const std::string& name) {
+        if (!seen_.insert(name).second) return;
+        std::istringstream text(folder_.empty() ? read_embedded(name)
+                                                : read_from(folder_, name));
+        mark(1, name);
+        std::string line;
+        for (int number = 1; std::getline(text, line); ++number) {
+            const std::string include = included_name(line);
+            if (include.empty()) {
+                out_ << line << '\n';
+            } else {
+                expand(include);
+                mark(number + 1, name);
+            }
+        }
+    }
+    std::string text() const { return out_.str(); }
+
+private:
+    void mark(int line, const std::string& name) {
+        out_ << "#line " << line << " \"" << name << "\"\n";
+    }
+
+    std::string folder_;
+    std::set<std::string> seen_;
+    std::ostringstream out_;
+};
+
+}  // namespace
+
+std::string kernel_source(const std::string& stem, const std::string& folder) {
+    Expander expander(folder);
+    expander.expand(stem + ".cl");
+    return expander.text();
+}
+
+}  // namespace rsh

@@ -1,0 +1,127 @@
+#include "device/cl/programs.hpp"
+
+#include <chrono>
+
+#include "device/cl/kernel_source.hpp"
+#include "device/error.hpp"
+
+namespace rsh {
+namespace {
+
+// A program is stored the second time that compiling it took longer than this. Drivers that
+// cache what they compile are quick by then and never pay for handing it out: PoCL compiles
+// every kernel once more for that, two seconds for the traversal's.
+constexpr double kSlowSeconds = 0.2;
+
+}  // namespace
+
+// One built program and its idle kernels. Built under its own mutex: a second thread that needs
+// the same program waits, one that needs another does not.
+struct Programs::Program {
+    std::mutex mutex;
+    cl::Program program;
+    std::map<std::string, IdleKernels> idle;
+};
+
+cl::Kernel IdleKernels::take(const cl::Program& program, const char* name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (idle_.empty()) {
+        idle_.reserve(made_ + 1);
+        cl::Kernel kernel(program, name);
+        ++made_;
+        return kernel;
+    }
+    cl::Kernel kernel = std::move(idle_.back());
+    idle_.pop_back();
+    return kernel;
+}
+
+void IdleKernels::give_back(cl::Kernel kernel) noexcept {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(kernel));
+}
+
+Programs::Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
+                   std::string options, std::string cache_folder, std::string kernel_folder)
+    : context_(std::move(context)),
+      device_(std::move(device)),
+      identity_(caps.identity),
+      options_(std::move(options)),
+      kernel_folder_(std::move(kernel_folder)),
+      cache_(std::move(cache_folder)) {}
+
+Programs::~Programs() = default;
+
+Programs::Program& Programs::program(const KernelName& name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_ptr<Program>& found = programs_[std::string(name.program) + ' ' + name.options];
+    if (!found) found = std::make_unique<Program>();
+    return *found;
+}
+
+BorrowedKernel Programs::borrow(const KernelName& name) {
+    Program& entry = program(name);
+    const std::lock_guard<std::mutex> lock(entry.mutex);
+    if (!entry.program()) entry.program = make(name);
+    IdleKernels& idle = entry.idle[name.kernel];
+    return {idle, idle.take(entry.program, name.kernel)};
+}
+
+cl::Program Programs::make(const KernelName& name) {
+    const std::string source = kernel_source(name.program, kernel_folder_);
+    const std::string options = options_ + ' ' + name.options;
+    const std::string key =
+        std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' + source;
+    cl::Program program = load(key, options);
+    if (program()) return program;
+    const auto start = std::chrono::steady_clock::now();
+    program = compile(name, source, options);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (seconds.count() > kSlowSeconds && cache_.was_wanted(key)) store(key, program);
+    return program;
+}
+
+// A binary that the driver refuses, or builds into nothing, is as good as none.
+cl::Program Programs::load(const std::string& key, const std::string& options) {
+    const auto binary = cache_.load(key);
+    if (!binary) return {};
+    try {
+        cl::Program program(context_, {device_}, cl::Program::Binaries{*binary});
+        program.build({device_}, options.c_str());
+        ++loaded_;
+        return program;
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+cl::Program Programs::compile(const KernelName& name, const std::string& source,
+                              const std::string& options) {
+    cl::Program program(context_, source);
+    ++built_;
+    cl_int failed = CL_SUCCESS;
+    try {
+        program.build({device_}, options.c_str());
+        return program;
+    } catch (const cl::BuildError& error) {
+        failed = error.err();
+    }
+    throw Error(RSH_BUILD_FAILED,
+                std::string(name.program) + ".cl (" + options +
+                    "): " + (opencl_error_name(failed) ? opencl_error_name(failed) : "") +
+                    '\n' + program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
+}
+
+// Failing to store costs the next process a compilation, and this one nothing.
+void Programs::store(const std::string& key, const cl::Program& program) const {
+    try {
+        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+        const auto devices = program.getInfo<CL_PROGRAM_DEVICES>();
+        for (size_t i = 0; i < devices.size(); ++i)
+            if (devices[i]() == device_()) cache_.store(key, binaries[i]);
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
+}  // namespace rsh

@@ -1,0 +1,87 @@
+// programs.hpp - kernels by name. Builds a program on first use, from the disk cache or from
+// source, and lends out kernel objects: clSetKernelArg on a shared kernel is not thread-safe,
+// so no two calls ever hold the same one.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "device/cl/binary_cache.hpp"
+#include "device/cl/device_caps.hpp"
+#include "device/cl/opencl.hpp"
+
+namespace rsh {
+
+// Which kernel: file stem, kernel name, compile-time parameters ("-D RSH_WORDS=2").
+struct KernelName {
+    const char* program;
+    const char* kernel;
+    std::string options = {};
+};
+
+// Kernel objects of one kernel that no call holds at the moment.
+class IdleKernels {
+public:
+    cl::Kernel take(const cl::Program& program, const char* name);
+    void give_back(cl::Kernel kernel) noexcept;
+
+private:
+    std::mutex mutex_;
+    std::vector<cl::Kernel> idle_;  // has room for all that were made
+    size_t made_ = 0;
+};
+
+// A kernel object of one's own for a while.
+class BorrowedKernel {
+public:
+    BorrowedKernel(IdleKernels& home, cl::Kernel kernel)
+        : home_(home), kernel_(std::move(kernel)) {}
+    ~BorrowedKernel() { home_.give_back(std::move(kernel_)); }
+    BorrowedKernel(const BorrowedKernel&) = delete;
+    BorrowedKernel& operator=(const BorrowedKernel&) = delete;
+
+    cl::Kernel& operator*() { return kernel_; }
+
+private:
+    IdleKernels& home_;
+    cl::Kernel kernel_;
+};
+
+class Programs {
+public:
+    Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
+             std::string options, std::string cache_folder, std::string kernel_folder);
+    ~Programs();
+
+    BorrowedKernel borrow(const KernelName& name);
+
+    unsigned built() const { return built_; }
+    unsigned loaded() const { return loaded_; }
+
+private:
+    struct Program;
+    Program& program(const KernelName& name);
+    cl::Program make(const KernelName& name);
+    cl::Program load(const std::string& key, const std::string& options);
+    cl::Program compile(const KernelName& name, const std::string& source,
+                        const std::string& options);
+    void store(const std::string& key, const cl::Program& program) const;
+
+    cl::Context context_;
+    cl::Device device_;
+    std::string identity_;
+    std::string options_;
+    std::string kernel_folder_;
+    BinaryCache cache_;
+    std::mutex mutex_;
+    std::map<std::string, std::unique_ptr<Program>> programs_;  // by stem and options
+    std::atomic<unsigned> built_{0};
+    std::atomic<unsigned> loaded_{0};
+};
+
+}  // namespace rsh

@@ -1,0 +1,99 @@
+// recorder.hpp - enqueues one call's work: borrows kernels, sets their arguments, launches them
+// in order, keeps their events. The only code that enqueues anything.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include <vector>
+
+#include "device/cl/context.hpp"
+#include "device/cl/opencl.hpp"
+#include "device/layout.hpp"
+
+namespace rsh {
+
+// The caller's queue and the events to start after; see "Async" in rsh.h.
+struct Submission {
+    cl_command_queue queue;
+    cl_uint wait_count;
+    const cl_event* wait_list;
+};
+
+struct Range {
+    size_t items;  // rounded up to whole groups
+    size_t group_size;
+};
+
+class Recorder {
+public:
+    // `done` may be NULL. The destructor sets *done to the last command, also after a failure
+    // in the middle, so that the caller learns when its buffers are free again.
+    Recorder(Context& context, const Submission& submission, cl_event* done);
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    Context& context() { return context_; }
+
+    // Enqueues a kernel after everything recorded before. Arguments in the kernel's order:
+    // cl_mem, cl::LocalSpaceArg, scalars and structs. An empty range enqueues nothing.
+    template <class... Arguments>
+    void launch(cl_uint stage, const KernelName& name, const Range& range,
+                const Arguments&... arguments) {
+        if (range.items == 0) return;
+        BorrowedKernel kernel = context_.programs.borrow(name);
+        cl_uint index = 0;
+        (set_argument(*kernel, index++, arguments), ...);
+        enqueue(stage, name, *kernel, range);
+    }
+
+    // One work-item per element, in groups of the device's usual size.
+    Range range(size_t items) const { return {items, context_.caps.group_size}; }
+
+    // The same for long work-items, a tile of rays or more each: no groups on CPUs.
+    Range serial_range(size_t items) const {
+        return {items, context_.vector_width > 1 ? 1 : context_.caps.group_size};
+    }
+
+    // Enough work-items to fill the device, for a stream whose length only the device knows;
+    // see kernels/stride.h.
+    Range stream_range() const;
+
+    // Sets `bytes` of `buffer` from `offset` on (multiples of 4) to a repeated word.
+    void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset = 0);
+    // Adds words from the front of `buffer` to the statistics, once they arrived.
+    void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
+    // BLOCKS for the word; rsh_frame only.
+    cl_uint read_now(cl_mem buffer);
+
+    // Memory of the context's pool that no other call touches until this call's commands ended.
+    cl_mem borrow_scratch(size_t bytes);
+
+    // Sees to an event for the caller when nothing was enqueued: one for the end of the wait
+    // list.
+    void finish();
+
+private:
+    static void set_argument(cl::Kernel& kernel, cl_uint index, cl_mem buffer) {
+        kernel.setArg(index, sizeof buffer, &buffer);
+    }
+    template <class Value>
+    static void set_argument(cl::Kernel& kernel, cl_uint index, const Value& value) {
+        kernel.setArg(index, value);
+    }
+    void enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
+                 const Range& range);
+    void record(cl_uint stage, const cl::Event& event);
+    void continue_after(const cl::Event& event);
+    void hand_out_last() const noexcept;
+    const std::vector<cl::Event>* waits() const { return waits_.empty() ? nullptr : &waits_; }
+
+    Context& context_;
+    cl::CommandQueue queue_;
+    cl_event* done_;
+    std::vector<cl::Event> waits_;  // of the next command: the caller's, then the last command
+    bool enqueued_ = false;         // anything: waits_ is the last command
+    std::vector<ScratchBlock> blocks_;
+};
+
+}  // namespace rsh

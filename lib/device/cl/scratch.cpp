@@ -1,0 +1,44 @@
+#include "device/cl/scratch.hpp"
+
+#include <string>
+
+#include "device/error.hpp"
+
+namespace rsh {
+namespace {
+
+// Sub-buffers cannot be cut from sub-buffers, only from their parent.
+struct Span {
+    cl::Buffer root;
+    size_t offset;
+};
+
+Span span_of(cl_mem memory) {
+    const cl::Buffer buffer(memory, true);
+    const cl::Memory parent = buffer.getInfo<CL_MEM_ASSOCIATED_MEMOBJECT>();
+    if (!parent()) return {buffer, 0};
+    return {cl::Buffer(parent(), true), buffer.getInfo<CL_MEM_OFFSET>()};
+}
+
+}  // namespace
+
+Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given) {
+    if (layout.bytes() == 0) return;
+    const Span span = span_of(given ? given : recorder.borrow_scratch(layout.bytes()));
+    for (const Layout::Part& part : layout.parts()) {
+        if (part.bytes == 0) continue;
+        const cl_buffer_region region = {span.offset + part.offset, part.bytes};
+        cl::Buffer root = span.root;
+        parts_.push_back(
+            {part.name,
+             root.createSubBuffer(CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION, &region)});
+    }
+}
+
+cl_mem Scratch::operator[](std::string_view name) const {
+    for (const Part& part : parts_)
+        if (part.name == name) return part.buffer();
+    return nullptr;  // a part of zero bytes
+}
+
+}  // namespace rsh

@@ -1,0 +1,75 @@
+// statistics_log.hpp - what the calls on a context did, while counting is switched on: events
+// per stage and counts read back from the device. Adding up waits; recording and switching do
+// not.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "device/cl/opencl.hpp"
+
+namespace rsh {
+
+// Words that a non-blocking read fills until its event, and what they mean. Dropped before
+// that, the words stay until the read ended.
+class CountRead {
+public:
+    using Use = std::function<void(rsh_statistics&, const cl_uint*)>;
+
+    CountRead(size_t count, Use use) : words_(new cl_uint[count]), use_(std::move(use)) {}
+    ~CountRead();
+    CountRead(CountRead&&) noexcept = default;
+    CountRead& operator=(CountRead&&) = delete;
+
+    cl_uint* words() const { return words_.get(); }
+    void began(const cl::Event& event) { event_ = event; }
+    void wait() const;
+    // Adds the words, if they arrived.
+    void add_to(rsh_statistics& sums) const;
+
+private:
+    std::unique_ptr<cl_uint[]> words_;
+    Use use_;
+    cl::Event event_;
+};
+
+class StatisticsLog {
+public:
+    void enable(bool enabled);
+    bool enabled() const;
+
+    void add_command(cl_uint stage, const cl::Event& event);
+    // Changes the sums under the log's lock.
+    void add(const std::function<void(rsh_statistics&)>& change);
+    void add_read(CountRead read);
+
+    // BLOCKS for what was recorded, without the lock: calls of other threads go on recording.
+    rsh_statistics sum();
+
+private:
+    struct Command {
+        cl_uint stage;
+        cl::Event event;
+    };
+    struct Pending {
+        std::vector<Command> commands;
+        std::vector<CountRead> reads;
+
+        void wait() const;
+        void add_to(rsh_statistics& sums) const;
+    };
+    void settle();
+
+    mutable std::mutex mutex_;
+    std::mutex settling_;  // of two threads that add up, the second needs what the first took
+    bool enabled_ = false;
+    unsigned period_ = 0;  // between two calls of enable()
+    rsh_statistics sums_ = {};
+    Pending pending_;
+};
+
+}  // namespace rsh

@@ -1,0 +1,198 @@
+#include "frame/memory.hpp"
+
+#include "camera/rasterize.hpp"
+#include "pipeline.hpp"
+#include "rays/bound.hpp"
+#include "traverse/engine.hpp"
+
+namespace rsh {
+namespace {
+
+bool needs_shadows(const rsh_frame_desc& desc) {
+    return (desc.scene->features & RSH_FEATURE_SHADOW) && desc.scene->shadow_lights != 0 &&
+           desc.scene->light_count > 0;
+}
+
+bool needs_bounces(const rsh_frame_desc& desc) {
+    return desc.bounces > 0 &&
+           (desc.scene->features & (RSH_FEATURE_REFLECTION | RSH_FEATURE_REFRACTION)) != 0;
+}
+
+std::string numbered(const char* name, cl_uint bounce) {
+    return std::string(name) + ' ' + std::to_string(bounce);
+}
+
+rsh_rasterize_desc rasterize_of(const rsh_frame_desc& desc) {
+    rsh_rasterize_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.geometry = desc.scene->geometry;
+    pass.camera = desc.camera;
+    pass.width = desc.width;
+    pass.height = desc.height;
+    return pass;
+}
+
+rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
+    rsh_traverse_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.geometry = desc.scene->geometry;
+    pass.width = desc.width;
+    pass.height = desc.height;
+    pass.engine = desc.engine;
+    pass.bound = frame_bound(desc).id();
+    pass.strategy = desc.strategy;
+    pass.budget = desc.budget;
+    return pass;
+}
+
+// What rays below the camera's need, and only if there are any.
+void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
+    const Bound& bound = frame_bound(desc);
+    const rsh_geometry& geometry = desc.scene->geometry;
+    if (!desc.bounds) layout.add("bounds", bound.scene_bytes(geometry));
+    layout.add("bound scratch", bound.bound_scratch(context, geometry, desc.update).bytes());
+    const rsh_levels levels = bound.levels(desc.width, desc.height);
+    layout.add("nodes", bound.node_bytes(levels));
+    layout.add("build scratch", bound.build_scratch(context, levels).bytes());
+    const Engine& engine = find_engine(desc.engine);
+    layout.add("traverse",
+               engine.scratch(context, traverse_of(desc), SceneBounds::given).bytes());
+}
+
+}  // namespace
+
+const Bound& frame_bound(const rsh_frame_desc& desc) {
+    if (desc.bound != RSH_BOUND_DEFAULT) return find_bound(desc.bound);
+    return find_bound(find_engine(desc.engine).preferred_bound());
+}
+
+Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
+    const size_t pixels = size_t{desc.width} * desc.height;
+    Layout layout(context.caps.alignment);
+    for (cl_uint bounce = 0; bounce <= (needs_bounces(desc) ? desc.bounces : 0); ++bounce) {
+        layout.add_array<rsh_ray>(numbered("rays", bounce), pixels);
+        layout.add_array<rsh_hit>(numbered("hits", bounce), pixels);
+        if (bounce > 0) layout.add_array<rsh_float4>(numbered("weights", bounce), pixels);
+    }
+    layout.add_array<cl_uint>("active count", 1);
+    layout.add("rasterize", rasterize_scratch(context, rasterize_of(desc)).bytes());
+    if (needs_shadows(desc)) {
+        layout.add_array<rsh_ray>("shadow rays", pixels);
+        layout.add_array<cl_uint>("occlusion", pixels);
+    }
+    if (needs_shadows(desc) || needs_bounces(desc)) add_secondary(layout, context, desc);
+    return layout;
+}
+
+FrameMemory::FrameMemory(Recorder& recorder, const rsh_frame_desc& desc)
+    : desc_(desc), scratch_(recorder, frame_scratch(recorder.context(), desc), desc.scratch) {}
+
+cl_mem FrameMemory::at(const char* name, cl_uint bounce) const {
+    return scratch_[numbered(name, bounce)];
+}
+
+cl_mem FrameMemory::bounds() const {
+    return desc_.bounds ? desc_.bounds : scratch_["bounds"];
+}
+
+bool FrameMemory::traces_rays() const {
+    return needs_shadows(desc_) || needs_bounces(desc_);
+}
+
+bool FrameMemory::casts_shadows() const {
+    return needs_shadows(desc_);
+}
+
+rsh_rasterize_desc FrameMemory::rasterize() const {
+    rsh_rasterize_desc pass = rasterize_of(desc_);
+    pass.rays = at("rays", 0);
+    pass.hits = at("hits", 0);
+    pass.scratch = scratch_["rasterize"];
+    return pass;
+}
+
+rsh_bound_desc FrameMemory::bound() const {
+    return {sizeof(rsh_bound_desc),    desc_.scene->geometry, frame_bound(desc_).id(), bounds(),
+            scratch_["bound scratch"], desc_.update};
+}
+
+rsh_build_desc FrameMemory::build(cl_uint bounce) const {
+    return {sizeof(rsh_build_desc),
+            at("rays", bounce),
+            desc_.width,
+            desc_.height,
+            scratch_["nodes"],
+            0,
+            frame_bound(desc_).id(),
+            scratch_["build scratch"]};
+}
+
+rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
+    rsh_traverse_desc pass = traverse_of(desc_);
+    pass.bounds = bounds();
+    pass.rays = at("rays", bounce);
+    pass.nodes = scratch_["nodes"];
+    pass.hits = at("hits", bounce);
+    pass.scratch = scratch_["traverse"];
+    return pass;
+}
+
+rsh_spawn_desc FrameMemory::spawn(cl_uint bounce, cl_uint kind) const {
+    rsh_spawn_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.scene = desc_.scene;
+    pass.kind = kind;
+    pass.ray_count = pixels();
+    pass.rays = at("rays", bounce);
+    pass.hits = at("hits", bounce);
+    pass.weights = bounce > 0 ? at("weights", bounce) : nullptr;
+    pass.min_weight = desc_.min_weight;
+    pass.spawned_rays = at("rays", bounce + 1);
+    pass.spawned_weights = at("weights", bounce + 1);
+    pass.active_count = active_count();
+    return pass;
+}
+
+rsh_shade_desc FrameMemory::shade(cl_uint bounce) const {
+    rsh_shade_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.scene = desc_.scene;
+    pass.ray_count = pixels();
+    pass.rays = at("rays", bounce);
+    pass.hits = at("hits", bounce);
+    pass.weights = bounce > 0 ? at("weights", bounce) : nullptr;
+    pass.occlusion = occlusion();
+    pass.colour = desc_.colour;
+    return pass;
+}
+
+rsh_spawn_desc FrameMemory::spawn_shadow(cl_uint bounce, cl_uint light) const {
+    rsh_spawn_desc pass = spawn(bounce, RSH_SPAWN_SHADOW);
+    pass.light = light;
+    pass.spawned_rays = scratch_["shadow rays"];
+    pass.spawned_weights = nullptr;
+    return pass;
+}
+
+rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
+    return {sizeof(rsh_build_desc),
+            scratch_["shadow rays"],
+            desc_.width,
+            desc_.height,
+            scratch_["nodes"],
+            desc_.scene->positional_lights >> light & 1,
+            frame_bound(desc_).id(),
+            scratch_["build scratch"]};
+}
+
+rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {
+    rsh_traverse_desc pass = traverse(0);
+    pass.rays = scratch_["shadow rays"];
+    pass.query = RSH_QUERY_ANY;
+    pass.hits = nullptr;
+    pass.occlusion = occlusion();
+    pass.occlusion_bit = light;
+    return pass;
+}
+
+}  // namespace rsh

@@ -1,0 +1,42 @@
+// memory.hpp - the memory of a frame: one wave of rays per bounce, and what all waves share. A
+// wave is a screen of rays, all reflections or all refractions of the wave before it, inactive
+// where there is none. Declares buffers; pipeline.cpp says what happens in them.
+#pragma once
+
+#include "device/cl/scratch.hpp"
+
+namespace rsh {
+
+class FrameMemory {
+public:
+    FrameMemory(Recorder& recorder, const rsh_frame_desc& desc);
+
+    cl_uint pixels() const { return desc_.width * desc_.height; }
+    bool traces_rays() const;
+    bool casts_shadows() const;
+
+    // Descriptors of the public calls over this frame's memory, for the wave of a bounce.
+    rsh_rasterize_desc rasterize() const;
+    rsh_bound_desc bound() const;
+    rsh_build_desc build(cl_uint bounce) const;
+    rsh_traverse_desc traverse(cl_uint bounce) const;
+    rsh_spawn_desc spawn(cl_uint bounce, cl_uint kind) const;
+    rsh_shade_desc shade(cl_uint bounce) const;
+    // The shadow rays of one light at the hits of a bounce.
+    rsh_spawn_desc spawn_shadow(cl_uint bounce, cl_uint light) const;
+    rsh_build_desc build_shadow(cl_uint light) const;
+    rsh_traverse_desc traverse_shadow(cl_uint light) const;
+
+    cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
+    cl_mem occlusion() const { return scratch_["occlusion"]; }
+    cl_mem active_count() const { return scratch_["active count"]; }
+
+private:
+    cl_mem at(const char* name, cl_uint bounce) const;
+    cl_mem bounds() const;
+
+    rsh_frame_desc desc_;
+    Scratch scratch_;
+};
+
+}  // namespace rsh

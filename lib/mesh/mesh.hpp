@@ -1,0 +1,25 @@
+// mesh.hpp - rsh_geometry as kernels read it.
+#pragma once
+
+#include <rsh/rsh.h>
+
+#include "mesh/types.h"
+
+namespace rsh {
+
+inline rsh_mesh mesh_of(const rsh_geometry& geometry) {
+    const cl_ulong vertices_first = geometry.vertices_offset / 4;
+    const cl_ulong indices_first = geometry.indices_offset / 4;
+    rsh_mesh mesh = {};
+    mesh.vertices_first_low = static_cast<cl_uint>(vertices_first);
+    mesh.vertices_first_high = static_cast<cl_uint>(vertices_first >> 32);
+    mesh.indices_first_low = static_cast<cl_uint>(indices_first);
+    mesh.indices_first_high = static_cast<cl_uint>(indices_first >> 32);
+    mesh.vertex_stride = (geometry.vertex_stride ? geometry.vertex_stride : 12) / 4;
+    mesh.vertex_count = geometry.vertex_count;
+    mesh.triangle_count = geometry.triangle_count;
+    mesh.is_indexed = geometry.indices != nullptr;
+    return mesh;
+}
+
+}  // namespace rsh

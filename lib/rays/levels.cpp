@@ -1,0 +1,34 @@
+#include "rays/levels.hpp"
+
+namespace rsh {
+
+rsh_levels ray_level(cl_uint width, cl_uint height) {
+    rsh_levels levels = {};
+    if (height == 0) height = 1;
+    levels.is_list = width == 1 || height == 1;
+    levels.width[0] = levels.is_list ? width * height : width;
+    levels.height[0] = levels.is_list ? 1 : height;
+    return levels;
+}
+
+cl_uint add_level(rsh_levels& levels) {
+    const cl_uint l = levels.count++, fan = levels.fan;
+    const cl_uint in_row = levels.is_list ? fan * fan : fan;
+    levels.width[l + 1] = (levels.width[l] + in_row - 1) / in_row;
+    levels.height[l + 1] = (levels.height[l] + fan - 1) / fan;
+    return l;
+}
+
+rsh_levels group_levels(cl_uint width, cl_uint height) {
+    rsh_levels levels = ray_level(width, height);
+    levels.fan = 4;
+    add_level(levels);
+    do {
+        const cl_uint l = add_level(levels);
+        levels.first_quad[l + 1] =
+            levels.first_quad[l] + static_cast<cl_uint>(node_count(levels, l + 1));
+    } while (node_count(levels, levels.count) > 1);
+    return levels;
+}
+
+}  // namespace rsh

@@ -1,0 +1,25 @@
+#include "device/error.hpp"
+#include "rays/box.hpp"
+#include "rays/cone.hpp"
+#include "rays/cone_fitted.hpp"
+
+namespace rsh {
+
+// The first one is the default.
+const std::vector<const Bound*>& bounds() {
+    static const Box box;
+    static const Cone cone;
+    static const ConeFitted cone_fitted;
+    static const std::vector<const Bound*> all = {&box, &cone, &cone_fitted};
+    return all;
+}
+
+const Bound& find_bound(cl_uint id) {
+    if (id == RSH_BOUND_DEFAULT) return *bounds().front();
+    for (const Bound* bound : bounds())
+        if (bound->id() == id) return *bound;
+    throw Error(RSH_INVALID_VALUE,
+                "bound: is " + std::to_string(id) + ", must be RSH_BOUND_...");
+}
+
+}  // namespace rsh

@@ -1,0 +1,191 @@
+#include "traverse/paper/paper.hpp"
+
+#include <algorithm>
+
+#include "bvh/types.h"
+#include "rays/box.hpp"
+#include "rays/levels.hpp"
+#include "rays/types.h"
+#include "traverse/paper/traverse_runs.hpp"
+
+namespace rsh {
+namespace {
+
+// Of the streams of two levels, and the mask of the parents'.
+constexpr size_t kBytesPerTriangle = 2 * sizeof(cl_uint) + sizeof(cl_ushort);
+// Survivors of a level, 16 for each, are counted in 32 bits.
+constexpr cl_ulong kMaxCapacity = 1u << 27;
+constexpr size_t kDefaultBytes = 40;  // per ray and per triangle
+
+// A parent's run is cut so that each level has work-items for all cores; each of them looks at
+// the counts of all pieces of its parent, so that more pieces would cost more than they bring.
+constexpr cl_uint kMaxPieces = 256;
+
+cl_uint nodes_of(const rsh_levels& levels, cl_uint level) {
+    return static_cast<cl_uint>(node_count(levels, level));
+}
+
+cl_uint pieces_of(const Context& context, const rsh_levels& levels, cl_uint level) {
+    const cl_uint wanted = context.vector_width > 1 ? 32 * context.caps.compute_units : 4096;
+    const cl_uint parents = std::max(nodes_of(levels, level + 1), 1u);
+    return std::clamp(wanted / parents, 1u, kMaxPieces);
+}
+
+// What runs name: places in the clusters of `box`, some of them empty, or triangles.
+cl_uint names_of(const rsh_traverse_desc& desc) {
+    const cl_uint triangles = desc.geometry.triangle_count;
+    if (find_bound(desc.bound).id() != RSH_BOUND_BOX) return triangles;
+    return 16 * RSH_CLUSTERS(scene_shape(triangles));
+}
+
+// Triangles that a level can hold; never more than the scene can make.
+cl_uint capacity_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
+    const cl_ulong triangles = names_of(desc);
+    const cl_ulong usual =
+        kDefaultBytes * (ray_count(desc.width, desc.height) + triangles) + RSH_MIN_BUDGET;
+    const cl_ulong budget = desc.budget ? desc.budget : usual;
+    const cl_ulong possible = std::max<cl_ulong>(1, triangles * node_count(levels, 1));
+    return static_cast<cl_uint>(std::min({budget / kBytesPerTriangle, possible, kMaxCapacity}));
+}
+
+bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles,
+                  cl_uint capacity) {
+    return triangles * node_count(levels, level) > capacity;
+}
+
+// A batch starts as a quarter of what a level can hold: streams grow on their way down, and what
+// outgrows them is finished otherwise.
+cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
+                        cl_uint capacity) {
+    const cl_uint all = names_of(desc);
+    if (!can_overflow(levels, 1, all, capacity)) return all;
+    return std::max<cl_uint>(1, std::min(all, capacity / 4));
+}
+
+// The runs of level 1 stand first.
+cl_uint first_run(const rsh_levels& levels, cl_uint level) {
+    cl_uint first = 0;
+    for (cl_uint l = 1; l < level; ++l) first += nodes_of(levels, l);
+    return first;
+}
+
+void add_tally(rsh_statistics& sums, const rsh_run_step& root, const cl_uint* tally) {
+    ++sums.batches;
+    sums.pairs_tested[root.level + 1] += root.batch_count;
+    sums.node_tests += 16 * cl_ulong{root.batch_count};
+    for (cl_uint level = root.level; level > 0; --level) {
+        const cl_ulong held = tally[level];
+        sums.pairs_tested[level] += tally[RSH_TALLY_SURVIVORS + level];
+        sums.pairs_walked[level] += tally[RSH_TALLY_SURVIVORS + level] - held;
+        sums.peak_pairs = std::max(sums.peak_pairs, held);
+        (level > 1 ? sums.node_tests : sums.ray_tests) += 16 * held;
+    }
+    sums.node_tests += 16 * cl_ulong{tally[RSH_TALLY_FINISHED]};
+    sums.ray_tests += 16 * cl_ulong{tally[RSH_TALLY_FINISHED + 1]};
+    sums.pairs_tested[0] += 16 * (cl_ulong{tally[1]} + cl_ulong{tally[RSH_TALLY_FINISHED + 1]});
+}
+
+class Traversal {
+public:
+    Traversal(Recorder& recorder, const rsh_traverse_desc& desc, const Layout& layout)
+        : recorder_(recorder),
+          desc_(desc),
+          shape_(group_levels(desc.width, desc.height)),
+          is_box_(find_bound(desc.bound).id() == RSH_BOUND_BOX),
+          scratch_(recorder, layout, desc.scratch),
+          streams_{capacity_of(desc, shape_), {scratch_["even levels"], scratch_["odd levels"]},
+                   scratch_["runs"],          scratch_["masks"],
+                   scratch_["counts"],        scratch_["sums"],
+                   scratch_["tally"]} {
+        if (!desc_.bounds) desc_.bounds = make_bounds(recorder_, desc_, scratch_);
+    }
+
+    void run() {
+        clear_run_hits(recorder_, desc_);
+        if (is_box_) join_boxes(recorder_, shape_, desc_.nodes, scratch_["nodes"]);
+        const cl_uint total = names_of(desc_);
+        const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
+        for (cl_uint first = 0; first < total; first += size) {
+            report_progress(desc_, first / size, (total + size - 1) / size);
+            run_batch(first, std::min(size, total - first));
+        }
+    }
+
+private:
+    void run_batch(cl_uint first, cl_uint count) {
+        const bool is_counting = recorder_.context().statistics.enabled();
+        if (is_counting)
+            recorder_.fill(RSH_STAGE_OTHER, streams_.tally, 0,
+                           RSH_TALLY_WORDS * sizeof(cl_uint));
+        for (cl_uint level = shape_.count; level-- > 1;) {
+            const RunLevel step = level_of(level, first, count);
+            count_runs(recorder_, desc_, step, streams_);
+            emit_runs(recorder_, desc_, step, streams_);
+            if (can_overflow(shape_, level, count, streams_.capacity))
+                finish_runs(recorder_, desc_, step, streams_);
+        }
+        intersect_runs(recorder_, desc_, shape_, streams_);
+        if (!is_counting) return;
+        const rsh_run_step root = level_of(shape_.count - 1, first, count).step;
+        recorder_.count_later(streams_.tally, RSH_TALLY_WORDS,
+                              [root](rsh_statistics& sums, const cl_uint* tally) {
+                                  add_tally(sums, root, tally);
+                              });
+    }
+
+    RunLevel level_of(cl_uint level, cl_uint first, cl_uint count) {
+        const bool is_upper = is_box_ && level > 1;
+        rsh_run_step step = {};
+        step.level = level;
+        step.parents = nodes_of(shape_, level + 1);
+        step.pieces = pieces_of(recorder_.context(), shape_, level);
+        step.first_group = shape_.first_quad[level] - (is_upper ? shape_.first_quad[2] : 0);
+        step.first_parent_run = first_run(shape_, level + 1);
+        step.first_child_run = first_run(shape_, level);
+        step.capacity = streams_.capacity;
+        step.is_root = level + 1 == shape_.count;
+        step.batch_first = first;
+        step.batch_count = count;
+        step.is_counting = recorder_.context().statistics.enabled();
+        return {shape_, step, is_upper ? scratch_["nodes"] : desc_.nodes};
+    }
+
+    Recorder& recorder_;
+    rsh_traverse_desc desc_;
+    rsh_levels shape_;
+    bool is_box_;
+    Scratch scratch_;
+    RunStreams streams_;
+};
+
+}  // namespace
+
+Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
+                      SceneBounds bounds) const {
+    const rsh_levels shape = group_levels(desc.width, desc.height);
+    const cl_uint capacity = capacity_of(desc, shape);
+    size_t pieces = 0;
+    for (cl_uint level = 1; level < shape.count; ++level)
+        pieces = std::max(
+            pieces, size_t{nodes_of(shape, level + 1)} * pieces_of(context, shape, level));
+    Layout layout(context.caps.alignment);
+    layout.add_array<cl_uint>("even levels", capacity);
+    layout.add_array<cl_uint>("odd levels", capacity);
+    layout.add_array<cl_ushort>("masks", capacity);
+    layout.add_array<cl_uint2>("runs", first_run(shape, shape.count));
+    layout.add_array<cl_uint16>("counts", pieces);
+    layout.add_array<cl_uint>("sums", pieces + 1);
+    layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
+    if (find_bound(desc.bound).id() == RSH_BOUND_BOX)
+        layout.add_array<rsh_node_group>("nodes",
+                                         shape.first_quad[shape.count] - shape.first_quad[2]);
+    reserve_bounds(layout, context, desc, bounds);
+    return layout;
+}
+
+void Paper::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
+    if (desc.width == 0) return;
+    Traversal(recorder, desc, scratch(recorder.context(), desc, scene_bounds_of(desc))).run();
+}
+
+}  // namespace rsh

@@ -1,0 +1,96 @@
+#include "traverse/paper/traverse_runs.hpp"
+
+#include "mesh/mesh.hpp"
+#include "rays/bound.hpp"
+#include "rays/box.hpp"
+#include "rays/levels.hpp"
+#include "traverse/intersect.hpp"
+
+namespace rsh {
+namespace {
+
+KernelName kernel_for(const rsh_traverse_desc& desc, const char* kernel) {
+    return paper_kernel(find_bound(desc.bound).id(), kernel);
+}
+
+cl_mem parents_of(const RunLevel& level, const RunStreams& streams) {
+    return streams.triangles[(level.step.level + 1) % 2];
+}
+
+// Pieces to the places where their children begin, and behind them the number of all.
+void scan_sums(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_run_step& step,
+               const RunStreams& streams) {
+    const size_t group = recorder.context().caps.group_size;
+    const cl_uint pieces = step.parents * step.pieces;
+    recorder.launch(RSH_STAGE_REDUCE, kernel_for(desc, "rsh_reduce_scan_counts"),
+                    {group, group}, streams.sums, pieces, streams.sums, pieces,
+                    cl::Local(group * sizeof(cl_uint)));
+}
+
+Range pieces_range(Recorder& recorder, const rsh_run_step& step) {
+    return recorder.serial_range(size_t{step.parents} * step.pieces);
+}
+
+}  // namespace
+
+KernelName paper_kernel(cl_uint bound, const char* kernel) {
+    return {"programs/paper", kernel,
+            bound == RSH_BOUND_CONE_FITTED ? "-D RSH_FITTED=1" : "-D RSH_FITTED=0"};
+}
+
+void count_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
+                const RunStreams& streams) {
+    recorder.launch(RSH_STAGE_TEST, kernel_for(desc, "rsh_count_runs"),
+                    pieces_range(recorder, level.step), level.step, desc.bounds, level.groups,
+                    parents_of(level, streams), streams.runs, streams.masks, streams.counts,
+                    streams.sums);
+    scan_sums(recorder, desc, level.step, streams);
+}
+
+void emit_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
+               const RunStreams& streams) {
+    recorder.launch(RSH_STAGE_REDUCE, kernel_for(desc, "rsh_emit_runs"),
+                    pieces_range(recorder, level.step), level.shape, level.step,
+                    parents_of(level, streams), streams.masks, streams.counts, streams.sums,
+                    streams.triangles[level.step.level % 2], streams.runs, streams.tally);
+}
+
+void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
+                 const RunStreams& streams) {
+    const rsh_geometry& geometry = desc.geometry;
+    recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_finish_runs"),
+                    recorder.serial_range(node_count(level.shape, 2)), level.shape, level.step,
+                    mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                    desc.bounds, desc.nodes, parents_of(level, streams), streams.runs,
+                    streams.sums, desc.hits, desc.occlusion, occlusion_mask(desc),
+                    streams.tally);
+}
+
+void clear_run_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
+    if (desc.query == RSH_QUERY_ANY) return;
+    const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
+    recorder.launch(RSH_STAGE_OTHER, kernel_for(desc, "rsh_clear_hits"), recorder.range(rays),
+                    desc.rays, rays, desc.hits);
+}
+
+void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& shape,
+                    const RunStreams& streams) {
+    const rsh_geometry& geometry = desc.geometry;
+    recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_intersect_runs"),
+                    recorder.serial_range(node_count(shape, 2)), shape, mesh_of(geometry),
+                    geometry.vertices, geometry.indices, desc.rays, desc.bounds, desc.nodes,
+                    streams.triangles[1], streams.runs, desc.hits, desc.occlusion,
+                    occlusion_mask(desc));
+}
+
+void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper) {
+    const cl_uint first = shape.first_quad[2];
+    for (cl_uint level = 2; level < shape.count; ++level)
+        recorder.launch(RSH_STAGE_BUILD, paper_kernel(RSH_BOUND_BOX, "rsh_join_boxes"),
+                        recorder.serial_range(node_count(shape, level + 1)), shape, level,
+                        level == 2 ? tiles : upper,
+                        level == 2 ? cl_uint{0} : shape.first_quad[level - 1] - first, upper,
+                        shape.first_quad[level] - first);
+}
+
+}  // namespace rsh

@@ -1,0 +1,158 @@
+#include "traverse/paper_faithful/paper_faithful.hpp"
+
+#include <algorithm>
+
+#include "rays/bound.hpp"
+#include "reduce/strategy.hpp"
+#include "traverse/intersect.hpp"
+#include "traverse/paper_faithful/traverse_level.hpp"
+#include "traverse/paper_faithful/types.h"
+
+namespace rsh {
+namespace {
+
+constexpr size_t kDefaultBudget = 64u << 20;
+// A pair that is tested takes four candidates and, if all survive, four places behind them.
+constexpr size_t kBytesPerTest = 8 * sizeof(rsh_pair);
+// Its four candidates are counted in 32 bits.
+constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
+
+rsh_levels cone_levels(const rsh_traverse_desc& desc) {
+    return find_bound(RSH_BOUND_CONE).levels(desc.width, desc.height);
+}
+
+// Pairs that a level can test. Never more than the scene can make: one per triangle and node of
+// level 1, the finest that is tested.
+cl_uint limit_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
+    const size_t budget = desc.budget ? desc.budget : kDefaultBudget;
+    const cl_ulong finest = cl_ulong{levels.width[1]} * levels.height[1];
+    const cl_ulong possible = std::max<cl_ulong>(1, desc.geometry.triangle_count * finest);
+    return static_cast<cl_uint>(
+        std::min({cl_ulong{budget / kBytesPerTest}, possible, kMaxLimit}));
+}
+
+// The stream at a level holds at most a batch times the level's nodes.
+bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles, cl_uint limit) {
+    const cl_ulong nodes = cl_ulong{levels.width[level]} * levels.height[level];
+    return triangles * nodes > limit;
+}
+
+// A batch starts as a quarter of what a level can test: streams grow on their way down, and
+// what outgrows the limit is walked depth first.
+cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
+                        cl_uint limit) {
+    const cl_uint all = desc.geometry.triangle_count;
+    if (!can_overflow(levels, 1, all, limit)) return all;
+    return std::max<cl_uint>(1, std::min(all, limit / 4));
+}
+
+ReduceStream survivors(const PairStreams& streams, cl_uint level) {
+    ReduceStream stream = {};
+    stream.keep = RSH_KEEP_NOT_NULL;
+    stream.element_bytes = sizeof(rsh_pair);
+    stream.count = 4 * streams.limit;
+    stream.input_count = streams.candidate_count;
+    stream.input = streams.candidates;
+    stream.output = streams.pairs;
+    stream.output_count = streams.counts;
+    stream.output_index = level;
+    stream.program = "programs/paper_faithful";
+    return stream;
+}
+
+// counts[l] is the length of the stream at level l; what no level tests first is known by size.
+void count_statistics(Recorder& recorder, const rsh_levels& levels, const PairStreams& streams,
+                      const Batch& batch) {
+    if (!recorder.context().statistics.enabled()) return;
+    const cl_uint limit = streams.limit, count = levels.count;
+    recorder.count_later(
+        streams.counts, count,
+        [limit, count, batch](rsh_statistics& sums, const cl_uint* level_counts) {
+            ++sums.batches;
+            sums.pairs_tested[count] += batch.triangle_count;
+            sums.node_tests += batch.triangle_count;
+            sums.ray_tests += level_counts[0];
+            for (cl_uint l = 0; l < count; ++l) {
+                const cl_ulong pairs = level_counts[l];
+                const cl_ulong walked = l > 0 && pairs > limit ? pairs - limit : 0;
+                sums.pairs_tested[l] += pairs;
+                sums.pairs_walked[l] += walked;
+                if (l > 0) sums.node_tests += 4 * pairs;
+                sums.peak_pairs = std::max(sums.peak_pairs, pairs);
+            }
+        });
+}
+
+class Traversal {
+public:
+    Traversal(Recorder& recorder, const rsh_traverse_desc& desc, const Layout& layout)
+        : recorder_(recorder),
+          desc_(desc),
+          levels_(cone_levels(desc)),
+          strategy_(safe_strategy(recorder.context(), desc.strategy)),
+          scratch_(recorder, layout, desc.scratch),
+          streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["candidates"],
+                   scratch_["candidate count"], scratch_["counts"]} {
+        if (!desc_.bounds) desc_.bounds = make_bounds(recorder_, desc_, scratch_);
+    }
+
+    void run() {
+        clear_hits(recorder_, desc_);
+        const cl_uint total = desc_.geometry.triangle_count;
+        const cl_uint size = batch_triangles(desc_, levels_, streams_.limit);
+        for (cl_uint first = 0; first < total; first += size) {
+            report_progress(desc_, first / size, (total + size - 1) / size);
+            run_batch({first, std::min(size, total - first)});
+        }
+        resolve(recorder_, desc_);
+    }
+
+private:
+    void run_batch(const Batch& batch) {
+        test_root(recorder_, desc_, levels_, streams_, batch);
+        pack_survivors(levels_.count - 1);
+        for (cl_uint level = levels_.count - 1; level-- > 0;) {
+            test_level(recorder_, desc_, levels_, level, streams_);
+            if (can_overflow(levels_, level + 1, batch.triangle_count, streams_.limit))
+                walk_level(recorder_, desc_, levels_, level, streams_);
+            pack_survivors(level);
+        }
+        intersect(recorder_, desc_, streams_.pairs, streams_.counts);
+        count_statistics(recorder_, levels_, streams_, batch);
+    }
+
+    void pack_survivors(cl_uint level) {
+        strategy_.enqueue(recorder_, survivors(streams_, level), scratch_);
+    }
+
+    Recorder& recorder_;
+    rsh_traverse_desc desc_;
+    rsh_levels levels_;
+    const Strategy& strategy_;
+    Scratch scratch_;
+    PairStreams streams_;
+};
+
+}  // namespace
+
+Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& desc,
+                              SceneBounds bounds) const {
+    const rsh_levels levels = cone_levels(desc);
+    const cl_uint limit = limit_of(desc, levels);
+    Layout layout(context.caps.alignment);
+    layout.add_array<rsh_pair>("pairs", size_t{4} * limit);
+    layout.add_array<rsh_pair>("candidates", size_t{4} * limit);
+    layout.add_array<cl_uint>("candidate count", 1);
+    layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
+    reserve_bounds(layout, context, desc, bounds);
+    safe_strategy(context, desc.strategy)
+        .reserve(layout, context, {4 * limit, sizeof(rsh_pair)});
+    return layout;
+}
+
+void PaperFaithful::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
+    if (desc.width == 0) return;
+    Traversal(recorder, desc, scratch(recorder.context(), desc, scene_bounds_of(desc))).run();
+}
+
+}  // namespace rsh

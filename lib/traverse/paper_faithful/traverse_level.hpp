@@ -1,0 +1,34 @@
+// traverse_level.hpp - one level of the traversal: cone-sphere tests of a stream of pairs
+// (traverse/paper_faithful/traverse_level.cl), and the depth-first end of what the stream cannot hold
+// (traverse/paper_faithful/traverse_walk.cl).
+#pragma once
+
+#include "device/cl/recorder.hpp"
+
+namespace rsh {
+
+// The streams of one traversal. A level's test reads at most `limit` pairs and writes four
+// candidates for each; the reduction packs them into `pairs` and counts them in counts[level].
+struct PairStreams {
+    cl_uint limit;
+    cl_mem pairs;
+    cl_mem candidates;
+    cl_mem candidate_count;
+    cl_mem counts;  // cl_uint per level
+};
+
+struct Batch {
+    cl_uint first_triangle;
+    cl_uint triangle_count;
+};
+
+// Children at `level` of the pairs at level + 1.
+void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+               const PairStreams& streams, const Batch& batch);
+void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+                cl_uint level, const PairStreams& streams);
+// Finishes the pairs at level + 1 beyond the limit.
+void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+                cl_uint level, const PairStreams& streams);
+
+}  // namespace rsh

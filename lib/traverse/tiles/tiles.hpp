@@ -1,0 +1,19 @@
+// tiles.hpp - each work-item finishes a tile of 256 rays on its own (traverse/tiles/traverse_tiles.cl): boxes
+// of the scene front to back, and nothing behind the tile's farthest hit.
+#pragma once
+
+#include "traverse/engine.hpp"
+
+namespace rsh {
+
+class Tiles final : public Engine {
+public:
+    cl_uint id() const noexcept override { return RSH_ENGINE_TILES; }
+    const char* name() const noexcept override { return "tiles"; }
+    std::vector<cl_uint> bounds() const override { return {RSH_BOUND_BOX}; }
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc,
+                   SceneBounds bounds) const override;
+    void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
+};
+
+}  // namespace rsh

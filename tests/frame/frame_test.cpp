@@ -1,0 +1,251 @@
+// frame_test.cpp - rsh_frame is the loop of the public calls, gives the same bytes every time
+// and under every budget, and a feature that is left out is a feature that the scene does not
+// have.
+#include <gtest/gtest.h>
+
+#include "support/compare.hpp"
+#include "support/render.hpp"
+#include "support/strategies.hpp"
+#include "support/trace.hpp"
+
+namespace {
+
+using test::FrameOptions;
+using test::Scene;
+
+FrameOptions sized(uint32_t width, uint32_t height, uint32_t bounces) {
+    FrameOptions options;
+    options.width = test::small() ? std::min(width, 16u) : width;
+    options.height = test::small() ? std::min(height, 12u) : height;
+    options.bounces = bounces;
+    return options;
+}
+
+void expect_finite(const std::vector<cl_float4>& image) {
+    for (size_t i = 0; i < image.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            ASSERT_TRUE(std::isfinite(image[i].s[c])) << "pixel " << i << " " << image[i];
+            ASSERT_GE(image[i].s[c], 0) << "pixel " << i << " " << image[i];
+        }
+        ASSERT_TRUE(image[i].s[3] == 0 || image[i].s[3] == 1) << "alpha of pixel " << i;
+    }
+}
+
+// Depth first, as rsh.h says: a wave is shaded, then come all its reflections, then
+// refractions.
+class HandRolled {
+public:
+    HandRolled(const Scene& scene, const FrameOptions& options)
+        : mesh_(scene.mesh), scene_(scene), options_(options) {}
+
+    std::vector<cl_float4> render() {
+        const size_t pixels = size_t(options_.width) * options_.height;
+        test::Rays rays = {{}, options_.width, options_.height};
+        std::vector<rsh_hit> hits;
+        rasterize(&rays.rays, &hits);
+        colour_.assign(pixels, cl_float4{{0, 0, 0, 0}});
+        for (size_t i = 0; i < pixels; ++i)
+            colour_[i].s[3] = hits[i].primitive == RSH_NO_HIT ? 0.0f : 1.0f;
+        wave(rays, hits, {}, 0);
+        return colour_;
+    }
+
+private:
+    void rasterize(std::vector<rsh_ray>* rays, std::vector<rsh_hit>* hits) {
+        const size_t pixels = size_t(options_.width) * options_.height;
+        const test::Buffer<rsh_ray> ray_buffer(pixels);
+        const test::Buffer<rsh_hit> hit_buffer(pixels);
+        rsh_rasterize_desc desc = {};
+        desc.struct_size = sizeof desc;
+        desc.geometry = scene_.desc.geometry;
+        desc.camera = test::gallery_camera(options_.width, options_.height);
+        desc.width = options_.width;
+        desc.height = options_.height;
+        desc.rays = ray_buffer.get();
+        desc.hits = hit_buffer.get();
+        RSH_CHECK(rsh_rasterize(test::device().rsh, test::device().queue(), &desc, 0, nullptr,
+                                nullptr));
+        *rays = ray_buffer.read();
+        *hits = hit_buffer.read();
+    }
+
+    void wave(const test::Rays& rays, const std::vector<rsh_hit>& hits,
+              const std::vector<cl_float4>& weights, uint32_t depth) {
+        colour_ = test::shade(scene_, rays.rays, hits, colour_, weights, shadows(rays, hits));
+        if (depth == options_.bounces) return;
+        for (const uint32_t kind : {RSH_SPAWN_REFLECTION, RSH_SPAWN_REFRACTION}) {
+            test::SpawnOptions spawn;
+            spawn.kind = kind;
+            spawn.weights = weights;
+            spawn.min_weight = options_.min_weight;
+            const auto spawned = test::spawn(scene_, rays.rays, hits, spawn);
+            if (spawned.active == 0) continue;
+            const test::Rays next = {spawned.rays, rays.width, rays.height};
+            wave(next, closest_hits(mesh_, next), spawned.weights, depth + 1);
+        }
+    }
+
+    std::vector<uint32_t> shadows(const test::Rays& rays, const std::vector<rsh_hit>& hits) {
+        std::vector<uint32_t> masks(rays.rays.size(), 0);
+        for (uint32_t light = 0; light < scene_.desc.light_count; ++light) {
+            if (!(scene_.desc.shadow_lights >> light & 1)) continue;
+            test::SpawnOptions spawn;
+            spawn.kind = RSH_SPAWN_SHADOW;
+            spawn.light = light;
+            const auto spawned = test::spawn(scene_, rays.rays, hits, spawn);
+            masks = occlusion(mesh_, {spawned.rays, rays.width, rays.height}, masks, light);
+        }
+        return masks;
+    }
+
+    test::DeviceMesh mesh_;
+    test::DeviceScene scene_;
+    FrameOptions options_;
+    std::vector<cl_float4> colour_;
+};
+
+TEST(Frame, EqualsTheLoopOfThePublicCalls) {
+    for (uint32_t bounces = 0; bounces <= 3; ++bounces) {
+        FrameOptions options = sized(80, 60, bounces);
+        options.min_weight = 0.01f;
+        SCOPED_TRACE("bounces " + std::to_string(bounces));
+        const auto image = test::frame(test::DeviceScene(test::gallery()), options);
+        EXPECT_TRUE(
+            test::same_bits(image, HandRolled(test::gallery(), options).render(), "pixels"));
+    }
+}
+
+TEST(Frame, GivesTheSameBytesTwiceInAnySize) {
+    const test::DeviceScene scene(test::gallery());
+    const uint32_t shapes[][2] = {{1, 1}, {1, 37}, {41, 1}, {64, 64}, {321, 241}, {1021, 769}};
+    for (const auto& shape : shapes) {
+        const FrameOptions options = sized(shape[0], shape[1], 1);
+        SCOPED_TRACE(std::to_string(options.width) + " x " + std::to_string(options.height));
+        const auto image = test::frame(scene, options);
+        expect_finite(image);
+        EXPECT_TRUE(test::same_bits(test::frame(scene, options), image, "pixels"));
+    }
+}
+
+TEST(Frame, GivesTheSameBytesWithBoundsThatItUpdates) {
+    const test::DeviceScene scene(test::gallery());
+    FrameOptions options = sized(72, 56, 2);
+    const auto expected = test::frame(scene, options);
+    rsh_bound_desc bound = {};
+    bound.struct_size = sizeof bound;
+    bound.geometry = scene.desc.geometry;
+    bound.bound = RSH_BOUND_BOX;
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    RSH_CHECK(rsh_bound_query(test::device().rsh, &bound, &sizes));
+    const test::Buffer<uint8_t> bounds(sizes.output_bytes);
+    options.bounds = bounds.get();
+    for (options.update = 0; options.update <= 1; ++options.update)
+        for (const bool own_scratch : {false, true}) {
+            options.own_scratch = own_scratch;
+            EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
+                << "update " << options.update;
+            EXPECT_TRUE(bounds.guards_intact());
+            EXPECT_FALSE(bounds.untouched());
+        }
+}
+
+TEST(Frame, GivesTheSameBytesWithEveryEngineStrategyAndBudget) {
+    const test::DeviceScene scene(test::gallery());
+    FrameOptions options = sized(72, 56, 2);
+    options.engine = RSH_ENGINE_BRUTE_FORCE;
+    const auto expected = test::frame(scene, options);
+    for (options.engine = 1; rsh_engine_name(options.engine); ++options.engine)
+        EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
+            << rsh_engine_name(options.engine);
+    options.engine = RSH_ENGINE_PAPER_FAITHFUL;
+    for (const cl_uint strategy : test::all_strategies())
+        for (const size_t budget : {size_t(0), size_t(RSH_MIN_BUDGET)}) {
+            options.strategy = strategy;
+            options.budget = budget;
+            options.own_scratch = budget != 0;
+            EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
+                << rsh_strategy_name(strategy) << ", budget " << budget;
+        }
+}
+
+TEST(Frame, StaysFiniteAfterManyBounces) {
+    expect_finite(test::frame(test::DeviceScene(test::gallery()), sized(48, 36, 6)));
+}
+
+TEST(Frame, WithoutShadowsEqualsAFrameOfLightsThatCastNone) {
+    Scene lit = test::gallery();
+    for (rsh_light& light : lit.lights) light.casts_shadow = 0;
+    const FrameOptions options = sized(64, 48, 1);
+    EXPECT_TRUE(test::same_bits(
+        test::frame(test::DeviceScene(test::gallery(), RSH_FEATURE_SHADOW), options),
+        test::frame(test::DeviceScene(lit), options), "pixels"));
+}
+
+TEST(Frame, WithoutTexturesEqualsAFrameOfMaterialsThatHaveNone) {
+    Scene bare = test::gallery();
+    bare.materials[0].texture = RSH_NO_TEXTURE;
+    const FrameOptions options = sized(64, 48, 1);
+    EXPECT_TRUE(test::same_bits(
+        test::frame(test::DeviceScene(test::gallery(), RSH_FEATURE_TEXTURE), options),
+        test::frame(test::DeviceScene(bare), options), "pixels"));
+}
+
+TEST(Frame, WithoutSmoothNormalsEqualsAFrameOfAFlatScene) {
+    Scene flat = test::gallery();
+    flat.normals.clear();
+    const FrameOptions options = sized(64, 48, 1);
+    EXPECT_TRUE(test::same_bits(
+        test::frame(test::DeviceScene(test::gallery(), RSH_FEATURE_SMOOTH_NORMAL), options),
+        test::frame(test::DeviceScene(flat), options), "pixels"));
+}
+
+TEST(Frame, WithoutReflectionEqualsAFrameOfMattes) {
+    Scene opaque = test::gallery(), matte;
+    opaque.materials[2] = test::matte({0.3f, 0.3f, 0.3f});
+    matte = opaque;
+    matte.materials[1].reflection = {{0, 0, 0, 0}};
+    const FrameOptions options = sized(64, 48, 2);
+    EXPECT_TRUE(
+        test::same_bits(test::frame(test::DeviceScene(opaque, RSH_FEATURE_REFLECTION), options),
+                        test::frame(test::DeviceScene(matte), options), "pixels"));
+}
+
+TEST(Frame, OfAPlainSceneEqualsOneWithAllFeaturesOn) {
+    const FrameOptions options = sized(64, 48, 2);
+    test::DeviceScene lean(test::plain()), full(test::plain());
+    EXPECT_EQ(lean.desc.features, 0u);
+    full.desc.features = RSH_FEATURE_REFLECTION | RSH_FEATURE_REFRACTION | RSH_FEATURE_SHADOW;
+    EXPECT_TRUE(
+        test::same_bits(test::frame(full, options), test::frame(lean, options), "pixels"));
+}
+
+TEST(Frame, ShowsTheEnvironmentWhereThereIsNothing) {
+    Scene scene = test::plain();
+    scene.mesh = test::Mesh();
+    scene.environment = {0.25f, 0.5f, 0.75f};
+    for (const cl_float4& pixel : test::frame(test::DeviceScene(scene), sized(40, 30, 2))) {
+        ASSERT_EQ(pixel.s[0], 0.25f);
+        ASSERT_EQ(pixel.s[1], 0.5f);
+        ASSERT_EQ(pixel.s[2], 0.75f);
+        ASSERT_EQ(pixel.s[3], 0);
+    }
+}
+
+TEST(Frame, LaunchesNothingForFeaturesThatTheSceneLacks) {
+    const test::OwnContext context;
+    FrameOptions options = sized(64, 48, 3);
+    options.context = context.get();
+    RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
+    test::frame(test::DeviceScene(test::plain()), options);
+    rsh_statistics s = {};
+    s.struct_size = sizeof s;
+    RSH_CHECK(rsh_get_statistics(context.get(), &s));
+    EXPECT_EQ(s.traversals, 0u)
+        << "a matte scene without shadows needs no ray but the primary ones";
+    EXPECT_EQ(s.host_waits, 0u);
+    EXPECT_EQ(s.shadow_rays[0], 0u);
+    EXPECT_GT(s.active_rays[0], 0u);
+}
+
+}  // namespace

@@ -1,0 +1,166 @@
+// selftest_test.cpp - rsh_device_selftest finds what is wrong and masks it. What a driver may
+// miscompile is played by kernels that are changed on their way to it.
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "support/buffer.hpp"
+#include "support/compare.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The kernels of the tree in a folder of their own, one of them changed, and a context that
+// compiles from there.
+class ChangedKernels {
+public:
+    ChangedKernels(const std::string& file, const std::string& from, const std::string& to) {
+        fs::create_directories(root_ / "include/rsh");
+        fs::copy(RSH_KERNEL_SOURCES, root_ / "kernels", fs::copy_options::recursive);
+        fs::copy(fs::path(RSH_KERNEL_SOURCES) / "../include/rsh/rsh_types.h",
+                 root_ / "include/rsh");
+        change(root_ / "kernels" / file, from, to);
+        const std::string folder = (root_ / "kernels").string();
+        rsh_context_desc desc = {};
+        desc.struct_size = sizeof desc;
+        desc.context = test::device().context();
+        desc.device = test::device().device();
+        desc.cache_dir = "";
+        desc.kernel_dir = folder.c_str();
+        RSH_CHECK(rsh_create_context(&desc, &context_));
+    }
+    ~ChangedKernels() {
+        rsh_release_context(context_);
+        std::error_code ignored;
+        fs::remove_all(root_, ignored);
+    }
+    ChangedKernels(const ChangedKernels&) = delete;
+    ChangedKernels& operator=(const ChangedKernels&) = delete;
+
+    rsh_context context() const { return context_; }
+
+private:
+    static void change(const fs::path& path, const std::string& from, const std::string& to) {
+        std::stringstream text;
+        text << std::ifstream(path).rdbuf();
+        std::string source = text.str();
+        const size_t at = source.find(from);
+        ASSERT_NE(at, std::string::npos) << path << " has no \"" << from << '"';
+        std::ofstream(path) << source.replace(at, from.size(), to);
+    }
+
+    fs::path root_ = fs::temp_directory_path() /
+                     ("rsh-kernels-" + std::to_string(getpid()) + "-" +
+                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    rsh_context context_ = nullptr;
+};
+
+rsh_selftest run_selftest(rsh_context context) {
+    rsh_selftest report = {};
+    report.struct_size = sizeof report;
+    RSH_CHECK(rsh_device_selftest(context, test::device().queue(), &report));
+    return report;
+}
+
+// Every second of 100003 elements.
+class Reduction {
+public:
+    Reduction() {
+        for (uint32_t i = 0; i < kCount; ++i)
+            if (i % 2) expected_.push_back(i);
+        std::vector<uint32_t> words(kCount);
+        std::vector<uint8_t> flags(kCount);
+        for (uint32_t i = 0; i < kCount; ++i) {
+            words[i] = i;
+            flags[i] = i % 2;
+        }
+        input_.write(words);
+        flags_.write(flags);
+        desc_.struct_size = sizeof desc_;
+        desc_.element_bytes = 4;
+        desc_.count = kCount;
+        desc_.input = input_.get();
+        desc_.flags = flags_.get();
+        desc_.output = output_.get();
+        desc_.output_count = output_count_.get();
+    }
+
+    rsh_status run(rsh_context context, cl_uint strategy) {
+        desc_.strategy = strategy;
+        return rsh_reduce(context, test::device().queue(), &desc_, 0, nullptr, nullptr);
+    }
+    rsh_status query(rsh_context context, cl_uint strategy) {
+        desc_.strategy = strategy;
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        return rsh_reduce_query(context, &desc_, &sizes);
+    }
+    ::testing::AssertionResult is_right() const {
+        return test::same_bits(output_.read(), expected_, "words");
+    }
+
+private:
+    static constexpr uint32_t kCount = 100003;
+    std::vector<uint32_t> expected_;
+    test::Buffer<uint32_t> input_{kCount}, output_{kCount / 2}, output_count_{1};
+    test::Buffer<uint8_t> flags_{kCount};
+    rsh_reduce_desc desc_ = {};
+};
+
+TEST(SelfTest, FindsEveryStrategySafeHere) {
+    const test::OwnContext context;
+    const rsh_selftest report = run_selftest(context.get());
+    EXPECT_EQ(report.unsafe_strategies, 0u) << report.first_failure;
+    EXPECT_STREQ(report.first_failure, "");
+    for (cl_uint id = 1; rsh_strategy_name(id); ++id)
+        EXPECT_EQ(report.tested_strategies >> id & 1, id == RSH_STRATEGY_AUTO ? 0u : 1u)
+            << rsh_strategy_name(id);
+}
+
+TEST(SelfTest, MasksAndNamesAStrategyThatIsCompiledWrong) {
+    const ChangedKernels wrong("reduce/scan_scatter.cl", "at += rank.total;",
+                               "at += rank.total - (tile.begin > 60000);");
+    const rsh_selftest report = run_selftest(wrong.context());
+    EXPECT_EQ(report.unsafe_strategies, 1u << RSH_STRATEGY_SCAN_SCATTER);
+    EXPECT_EQ(std::string(report.first_failure).find("scan_scatter: 70001 elements"), 0u)
+        << report.first_failure;
+
+    Reduction reduction;
+    EXPECT_EQ(reduction.run(wrong.context(), RSH_STRATEGY_SCAN_SCATTER), RSH_UNSUPPORTED);
+    EXPECT_NE(std::string(rsh_last_error()).find("strategy: is scan_scatter"),
+              std::string::npos);
+    EXPECT_EQ(reduction.query(wrong.context(), RSH_STRATEGY_SCAN_SCATTER), RSH_UNSUPPORTED);
+    EXPECT_EQ(reduction.run(wrong.context(), RSH_STRATEGY_CHUNK), RSH_SUCCESS);
+    EXPECT_TRUE(reduction.is_right());
+}
+
+TEST(SelfTest, NamesAStrategyThatDoesNotCompile) {
+    const ChangedKernels wrong("reduce/atomic.cl", "__kernel void", "__kernel vid");
+    const rsh_selftest report = run_selftest(wrong.context());
+    EXPECT_EQ(report.unsafe_strategies, 1u << RSH_STRATEGY_ATOMIC);
+    EXPECT_EQ(std::string(report.first_failure).find("atomic: "), 0u) << report.first_failure;
+}
+
+TEST(SelfTest, KeepsAutoFromWhatItMasked) {
+    const ChangedKernels wrong("reduce/lookback.cl", "return at;", "return at + (at > 0);");
+    Reduction reduction;
+    EXPECT_EQ(run_selftest(wrong.context()).unsafe_strategies, 1u << RSH_STRATEGY_LOOKBACK);
+    EXPECT_EQ(reduction.run(wrong.context(), RSH_STRATEGY_AUTO), RSH_SUCCESS);
+    EXPECT_TRUE(reduction.is_right());
+}
+
+// As if no work-group ever saw another one's messages.
+TEST(Lookback, NeedsNoAnswerFromOtherTiles) {
+    const ChangedKernels silent("reduce/lookback.cl", "return atomic_add(word, 0);",
+                                "return 0;");
+    Reduction reduction;
+    EXPECT_EQ(reduction.run(silent.context(), RSH_STRATEGY_LOOKBACK), RSH_SUCCESS);
+    EXPECT_TRUE(reduction.is_right());
+}
+
+}  // namespace
