@@ -8,8 +8,8 @@
 
 #include <fstream>
 
-#include "mesh_file.hpp"
-#include "text_scan.hpp"
+#include "files/text_scan.hpp"
+#include "import/mesh_file.hpp"
 
 namespace render {
 namespace {

@@ -9,10 +9,10 @@
 #include <exception>
 
 #include "oracle/closest.hpp"
-#include "scene_file.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/world.hpp"
 #include "support/scene.hpp"
 #include "support/trace.hpp"
-#include "world.hpp"
 
 namespace {
 

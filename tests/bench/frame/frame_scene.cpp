@@ -6,8 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
-#include "scene_file.hpp"
-#include "world.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/world.hpp"
 
 namespace bench {
 namespace {

@@ -5,9 +5,9 @@
 #include <random>
 #include <utility>
 
-#include "device_structs.hpp"
+#include "device/ray_sample.hpp"
 #include "frame/diffuse.hpp"
-#include "ray_sample.hpp"
+#include "scene/device_structs.hpp"
 
 namespace bench {
 

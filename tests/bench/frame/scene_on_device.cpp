@@ -1,7 +1,7 @@
 // scene_on_device.cpp - fills the buffers of an rsh_scene without textures.
 #include "frame/scene_on_device.hpp"
 
-#include "device_structs.hpp"
+#include "scene/device_structs.hpp"
 
 namespace bench {
 

@@ -1,0 +1,128 @@
+// frame_loop.cpp - scene in, frames out.
+#include "cli/frame_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+#include "device/check.hpp"
+#include "device/renderer.hpp"
+#include "scene/scene_file.hpp"
+
+namespace render {
+namespace {
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+// The command line goes before the scene, the scene before the default.
+RenderSettings render_settings(const Options& options, const SceneSettings& scene) {
+    RenderSettings s;
+    s.size = options.size.value_or(scene.size.value_or(s.size));
+    s.bounces = options.bounces.value_or(scene.bounces.value_or(s.bounces));
+    s.min_weight = options.min_weight.value_or(scene.min_weight.value_or(s.min_weight));
+    s.engine = options.engine;
+    s.bound = options.bound;
+    s.strategy = options.strategy;
+    s.budget = options.budget;
+    s.without = options.without;
+    s.counts = options.prints_statistics || !options.json.empty();
+    return s;
+}
+
+// Evenly spaced from the start of the scene's time to its end, both included; a single one is
+// the scene's still.
+std::vector<double> frame_times(const Options& options, const SceneSettings& scene,
+                                const World& world) {
+    const Interval span = scene.time.value_or(world.time_span());
+    if (options.time) return {*options.time};
+    const int count = options.frames.value_or(scene.frames.value_or(1));
+    if (count == 1) return {scene.still.value_or(span.start)};
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i)
+        times.push_back(span.start + (span.end - span.start) * i / (count - 1));
+    return times;
+}
+
+RunReport begin_report(const Device& device, const World& world,
+                       const RenderSettings& settings) {
+    RunReport report;
+    report.device = device.name();
+    report.platform = device.platform();
+    report.engine = settings.engine == 0 ? "default" : rsh_engine_name(settings.engine);
+    report.strategy = settings.strategy == 0 ? "default" : rsh_strategy_name(settings.strategy);
+    report.triangles = world.mesh().triangles.size();
+    report.size = settings.size;
+    report.bounces = settings.bounces;
+    return report;
+}
+
+// What is measured must not contain compiling: one frame goes before.
+void warm_up(Renderer& renderer, double time, RunReport& report) {
+    const FrameMeasure first = renderer.render(time, nullptr, nullptr);
+    report.first_frame_ms = first.total_ms;
+    report.programs_built = first.statistics.programs_built;
+    report.programs_loaded = first.statistics.programs_loaded;
+}
+
+// Whether the frame's hits are those of brute force.
+bool check(const Device& device, const Renderer& renderer, uint32_t ray_step) {
+    const CheckResult result = check_frame(device, renderer.frame_desc(), ray_step);
+    fmt::print("{} of {} hits differ\n", result.differ, result.hits);
+    if (result.differ > 0) fmt::print("first: {}\n", result.first);
+    return result.differ == 0;
+}
+
+void write_json(const RunReport& report, const std::string& path) {
+    std::ofstream file(path);
+    file << as_json(report).dump(2) << '\n';
+    if (!file.flush())
+        throw std::runtime_error(fmt::format("--json {}: cannot be written", path));
+}
+
+void write_reports(const RunReport& report, const Options& options) {
+    if (options.prints_statistics) fmt::print("{}", table(report));
+    if (!options.json.empty()) write_json(report, options.json);
+}
+
+}  // namespace
+
+int run(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const SceneDescription scene = read_scenes(options.scenes);
+    World world(scene);
+    for (const std::string& warning : world.warnings())
+        fmt::print(stderr, "warning: {}\n", warning);
+    const double load_ms = milliseconds_since(start);
+
+    const Device device(options.device);
+    const RenderSettings settings = render_settings(options, scene.settings);
+    const std::vector<double> times = frame_times(options, scene.settings, world);
+    Renderer renderer(device, world, settings);
+    RunReport report = begin_report(device, world, settings);
+    report.load_ms = load_ms;
+    if (settings.counts) warm_up(renderer, times[0], report);
+
+    const int count = static_cast<int>(times.size());
+    bool is_exact = true;
+    ProgressBar progress(count);
+    for (int i = 0; i < count; ++i) {
+        progress.begin_frame(i);
+        report.frames.push_back(renderer.render(times[i], &ProgressBar::begin_wave, &progress));
+        if (!options.out.empty())
+            save_image(renderer.frame(), frame_path(options.out, i, count));
+        if (i < options.checked_frames)
+            is_exact = check(device, renderer, options.check_ray_step) && is_exact;
+    }
+    write_reports(report, options);
+    return is_exact ? 0 : 1;
+}
+
+}  // namespace render

@@ -1,0 +1,81 @@
+// device.cpp - opening and listing of OpenCL devices.
+#include "device/device.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace render {
+
+void require(rsh_status status, const char* call) {
+    if (status == RSH_SUCCESS) return;
+    throw std::runtime_error(
+        fmt::format("{}: {}: {}", call, rsh_status_string(status), rsh_last_error()));
+}
+
+Device::Device(const std::string& name) {
+    cl_platform_id platform = nullptr;
+    cl_device_id device = nullptr;
+    require(rsh_find_device(name.empty() ? nullptr : name.c_str(), &platform, &device),
+            "rsh_find_device");
+    device_ = cl::Device(device, /*retainObject=*/true);
+    context_ = cl::Context(device_);
+    queue_ = cl::CommandQueue(context_, device_, CL_QUEUE_PROFILING_ENABLE);
+    rsh_context_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.context = context_();
+    desc.device = device;
+    rsh_context context = nullptr;
+    require(rsh_create_context(&desc, &context), "rsh_create_context");
+    rsh_.reset(context);
+}
+
+std::string Device::platform() const {
+    return cl::Platform(device_.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
+}
+
+cl::Buffer Device::buffer(size_t bytes) const {
+    return cl::Buffer(context_, CL_MEM_READ_WRITE, bytes);
+}
+
+namespace {
+
+std::string describe(const cl::Platform& platform, const cl::Device& device) {
+    return fmt::format("{}: {} ({}, {} compute units, {} MiB)\n",
+                       platform.getInfo<CL_PLATFORM_NAME>(), device.getInfo<CL_DEVICE_NAME>(),
+                       device.getInfo<CL_DEVICE_VERSION>(),
+                       device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(),
+                       device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() >> 20);
+}
+
+// Platforms without a device answer CL_DEVICE_NOT_FOUND.
+std::vector<cl::Device> devices_of(const cl::Platform& platform) {
+    std::vector<cl::Device> devices;
+    try {
+        platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    } catch (const cl::Error& error) {
+        if (error.err() != CL_DEVICE_NOT_FOUND) throw;
+    }
+    return devices;
+}
+
+}  // namespace
+
+std::string list_devices() {
+    std::vector<cl::Platform> platforms;
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error&) {
+        // The loader reports an error when no driver is installed.
+    }
+    std::string lines;
+    for (const cl::Platform& platform : platforms)
+        for (const cl::Device& device : devices_of(platform))
+            lines += describe(platform, device);
+    if (lines.empty())
+        throw std::runtime_error(
+            "found no OpenCL device; is a driver (pocl-opencl-icd) installed?");
+    return lines;
+}
+
+}  // namespace render

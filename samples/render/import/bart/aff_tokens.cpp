@@ -1,0 +1,119 @@
+// aff_tokens.cpp - characters -> words. # and % start comments.
+#include "import/bart/aff_tokens.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "files/asset.hpp"
+#include "files/text_scan.hpp"
+
+namespace render {
+namespace {
+
+// Deeper nesting can only be a file that includes itself.
+constexpr size_t kMaxDepth = 64;
+
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+}  // namespace
+
+AffTokens::AffTokens(const std::string& path) {
+    Asset asset = read_asset(path);
+    files_.push_back({std::move(asset.location), std::move(asset.bytes), 0});
+}
+
+void AffTokens::include(const std::string& name) {
+    if (files_.size() == kMaxDepth)
+        fail("includes are nested " + std::to_string(kMaxDepth) +
+             " deep; does a file include "
+             "itself?");
+    Asset asset = read_asset(sibling_path(files_.back().location, name));
+    files_.push_back({std::move(asset.location), std::move(asset.bytes), 0});
+}
+
+bool AffTokens::find_word() {
+    for (;;) {
+        File& file = files_.back();
+        while (file.at < file.text.size()) {
+            const char c = file.text[file.at];
+            if (c == '#' || c == '%')
+                file.at = std::min(file.text.find('\n', file.at), file.text.size());
+            else if (is_blank(c))
+                ++file.at;
+            else
+                return true;
+        }
+        if (files_.size() == 1) return false;
+        files_.pop_back();
+    }
+}
+
+std::string AffTokens::next() {
+    if (!find_word()) return {};
+    File& file = files_.back();
+    const size_t start = file.at;
+    // A brace is a word of its own.
+    if (file.text[start] == '{' || file.text[start] == '}') return {file.text[file.at++]};
+    while (file.at < file.text.size() && !is_blank(file.text[file.at]) &&
+           !std::strchr("#%{}", file.text[file.at]))
+        ++file.at;
+    return file.text.substr(start, file.at - start);
+}
+
+std::string AffTokens::peek() {
+    if (!find_word()) return {};
+    const size_t at = files_.back().at;
+    std::string word = next();
+    files_.back().at = at;
+    return word;
+}
+
+std::string AffTokens::word(const char* what) {
+    std::string result = next();
+    if (result.empty()) fail(std::string("ends where it needs ") + what);
+    return result;
+}
+
+double AffTokens::number(const char* what) {
+    const std::string text = word(what);
+    const auto value = parse_number(text);
+    if (!value) fail(std::string("needs a number for ") + what + ", but has '" + text + "'");
+    return *value;
+}
+
+size_t AffTokens::count(const char* what) {
+    const double value = number(what);
+    // Whatever is counted takes at least two characters.
+    const double room = static_cast<double>(files_.back().text.size());
+    if (!(value >= 0.0 && value <= room && value == std::floor(value)))
+        fail(std::string("the number of ") + what + " is " + std::to_string(value) +
+             ", but must be whole and from 0 to " + std::to_string(files_.back().text.size()) +
+             ", the bytes of the file");
+    return static_cast<size_t>(value);
+}
+
+glm::dvec3 AffTokens::vector(const char* what) {
+    const double x = number(what), y = number(what), z = number(what);
+    return {x, y, z};
+}
+
+void AffTokens::expect(const char* expected) {
+    const std::string found = word(expected);
+    if (found != expected)
+        fail(std::string("needs '") + expected + "', but has '" + found + "'");
+}
+
+std::string AffTokens::line_of(const File& file) const {
+    const auto end = file.text.begin() + static_cast<std::ptrdiff_t>(file.at);
+    return std::to_string(1 + std::count(file.text.begin(), end, '\n'));
+}
+
+void AffTokens::fail(const std::string& what) const {
+    const File& file = files_.back();
+    throw LoadError(file.location + ", line " + line_of(file) + ": " + what);
+}
+
+}  // namespace render

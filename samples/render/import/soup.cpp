@@ -1,0 +1,96 @@
+// soup.cpp - polygons -> triangles whose corners are shared where all attributes agree. Keeps
+// every triangle, also those without area.
+#include "import/soup.hpp"
+
+#include <cstring>
+#include <numeric>
+#include <unordered_map>
+
+#include "model/polygon.hpp"
+
+namespace render {
+namespace {
+
+// Bits, not values: a NaN equals itself and no two different corners are ever merged.
+struct CornerBits {
+    uint32_t words[6];
+    bool operator==(const CornerBits& other) const {
+        return std::memcmp(words, other.words, sizeof words) == 0;
+    }
+};
+
+struct HashBits {
+    size_t operator()(const CornerBits& bits) const {
+        uint64_t hash = 14695981039346656037ull;  // FNV-1a, a word at a time
+        for (const uint32_t word : bits.words) hash = (hash ^ word) * 1099511628211ull;
+        return static_cast<size_t>(hash ^ (hash >> 29));
+    }
+};
+
+CornerBits bits_of(const Corner& corner) {
+    CornerBits bits;
+    bits.words[0] = corner.vertex;
+    std::memcpy(bits.words + 1, &corner.normal, sizeof corner.normal);
+    std::memcpy(bits.words + 4, &corner.texcoord, sizeof corner.texcoord);
+    return bits;
+}
+
+void add_triangles(const Soup& soup, size_t first, size_t end,
+                   const std::vector<uint32_t>& vertex_of_corner, Mesh& mesh) {
+    std::vector<glm::vec3> polygon;
+    for (size_t i = first; i < end; ++i)
+        polygon.push_back(soup.positions[soup.corners[i].vertex]);
+    for (const glm::uvec3 t : triangulate(polygon))
+        mesh.triangles.push_back({vertex_of_corner[first + t.x], vertex_of_corner[first + t.y],
+                                  vertex_of_corner[first + t.z]});
+}
+
+void add_polygons(const Soup& soup, const std::vector<uint32_t>& vertex_of_corner, Mesh& mesh) {
+    for (size_t i = 0; i < soup.ends.size(); ++i) {
+        add_triangles(soup, i == 0 ? 0 : soup.ends[i - 1], soup.ends[i], vertex_of_corner,
+                      mesh);
+        mesh.material_ids.resize(mesh.triangles.size(),
+                                 soup.materials.empty() ? 0 : soup.materials[i]);
+    }
+}
+
+IndexedMesh with_vertices_of_file(const Soup& soup) {
+    IndexedMesh result;
+    result.mesh.positions = soup.positions;
+    result.mesh.normals = soup.normals;
+    result.mesh.texcoords = soup.texcoords;
+    result.source.resize(soup.positions.size());
+    std::iota(result.source.begin(), result.source.end(), 0u);
+    std::vector<uint32_t> vertex_of_corner;
+    for (const Corner& corner : soup.corners) vertex_of_corner.push_back(corner.vertex);
+    add_polygons(soup, vertex_of_corner, result.mesh);
+    return result;
+}
+
+IndexedMesh with_vertices_of_corners(const Soup& soup) {
+    IndexedMesh result;
+    std::unordered_map<CornerBits, uint32_t, HashBits> known;
+    std::vector<uint32_t> vertex_of_corner;
+    for (const Corner& corner : soup.corners) {
+        const auto next = static_cast<uint32_t>(result.source.size());
+        const auto [entry, is_new] = known.emplace(bits_of(corner), next);
+        vertex_of_corner.push_back(entry->second);
+        if (!is_new) continue;
+        result.source.push_back(corner.vertex);
+        result.mesh.positions.push_back(soup.positions[corner.vertex]);
+        if (soup.corners_have_normals) result.mesh.normals.push_back(corner.normal);
+        if (soup.corners_have_texcoords) result.mesh.texcoords.push_back(corner.texcoord);
+    }
+    add_polygons(soup, vertex_of_corner, result.mesh);
+    return result;
+}
+
+}  // namespace
+
+IndexedMesh build_mesh(const Soup& soup) {
+    return soup.corners_have_normals || soup.corners_have_texcoords
+               ? with_vertices_of_corners(soup)
+               : with_vertices_of_file(soup);
+}
+
+}  // namespace render

@@ -1,0 +1,145 @@
+// vertex_frames.cpp - a mesh, raw positions per frame and their description -> an animation.
+#include "import/vertex_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "files/asset.hpp"
+#include "files/text_scan.hpp"
+#include "import/load.hpp"
+
+namespace render {
+namespace {
+
+struct Description {
+    size_t frames = 0, vertices = 0, triangles = 0;
+    double start = 0.0, end = 0.0;
+};
+
+template <typename T>
+T member(const nlohmann::json& json, const char* name, const std::string& file) {
+    if (!json.is_object() || !json.contains(name) || !json[name].is_number())
+        throw LoadError(file + ": needs a number named " + name);
+    if (std::is_unsigned_v<T> && !json[name].is_number_unsigned())
+        throw LoadError(file + ": " + name + " is " + json[name].dump() +
+                        ", but must be a whole number from 0");
+    return json[name].get<T>();
+}
+
+Description read_description(const std::string& path) {
+    const Asset asset = read_asset(path);
+    const auto json = nlohmann::json::parse(asset.bytes, nullptr, false);
+    if (json.is_discarded()) throw LoadError(asset.location + ": is not JSON");
+    Description d;
+    d.frames = member<size_t>(json, "frames", asset.location);
+    d.vertices = member<size_t>(json, "vertices", asset.location);
+    d.triangles = member<size_t>(json, "triangles", asset.location);
+    d.start = member<double>(json, "time_start", asset.location);
+    d.end = member<double>(json, "time_end", asset.location);
+    if (d.frames == 0 || !(d.end >= d.start))
+        throw LoadError(asset.location + ": needs frames >= 1 and time_start <= time_end");
+    return d;
+}
+
+void check(const std::string& file, const char* what, size_t actual, size_t promised) {
+    if (actual != promised)
+        throw LoadError(file + ": holds " + std::to_string(actual) + " " + what +
+                        ", but its description promises " + std::to_string(promised));
+}
+
+std::vector<glm::vec3> read_positions(const std::string& path, const Description& d) {
+    const Asset asset = read_asset(path);
+    // Divided, not multiplied: the product of two promises may overflow.
+    check(asset.location, "bytes per frame and vertex",
+          d.vertices == 0 ? 0 : asset.bytes.size() / d.frames / d.vertices, sizeof(glm::vec3));
+    check(asset.location, "bytes", asset.bytes.size(),
+          d.frames * d.vertices * sizeof(glm::vec3));
+    std::vector<glm::vec3> positions(d.frames * d.vertices);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(asset.bytes.data());
+    for (size_t i = 0; i < 3 * positions.size(); ++i, bytes += 4) {
+        const uint32_t word =
+            bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<uint32_t>(bytes[3]) << 24;
+        std::memcpy(&positions[i / 3][static_cast<int>(i % 3)], &word, sizeof word);
+    }
+    return positions;
+}
+
+// Vertices that are one in the file and have the same normal there: they get one normal again.
+std::vector<uint32_t> normal_groups(const NumberedModel& base) {
+    std::map<std::tuple<uint32_t, float, float, float>, uint32_t> known;
+    std::vector<uint32_t> groups;
+    const std::vector<glm::vec3>& normals = base.model.mesh.normals;
+    for (size_t i = 0; i < normals.size(); ++i) {
+        const auto next = static_cast<uint32_t>(known.size());
+        groups.push_back(
+            known
+                .emplace(std::tuple(base.source[i], normals[i].x, normals[i].y, normals[i].z),
+                         next)
+                .first->second);
+    }
+    return groups;
+}
+
+}  // namespace
+
+VertexFrames::VertexFrames(NumberedModel base, std::vector<glm::vec3> positions, Span span)
+    : base_(std::move(base)),
+      positions_(std::move(positions)),
+      span_(span),
+      normal_groups_(normal_groups(base_)) {}
+
+// The mean of the normals of the triangles around each vertex, weighted by area.
+void VertexFrames::compute_normals(Mesh& mesh) const {
+    std::vector<glm::dvec3> sums(mesh.normals.size(), glm::dvec3(0.0));
+    for (const glm::uvec3 t : mesh.triangles) {
+        const glm::dvec3 a = mesh.positions[t.x];
+        const glm::dvec3 area = glm::cross(glm::dvec3(mesh.positions[t.y]) - a,
+                                           glm::dvec3(mesh.positions[t.z]) - a);
+        for (int i = 0; i < 3; ++i) sums[normal_groups_[t[i]]] += area;
+    }
+    for (size_t i = 0; i < mesh.normals.size(); ++i) {
+        const glm::dvec3 sum = sums[normal_groups_[i]];
+        const double length = glm::length(sum);
+        mesh.normals[i] = length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0.0f);
+    }
+}
+
+Model VertexFrames::at(double time) const {
+    Model model = base_.model;
+    const double length = span_.end - span_.start;
+    const double last = span_.frames - 1;
+    const double place =
+        length > 0.0 ? std::clamp((time - span_.start) / length, 0.0, 1.0) * last : 0.0;
+    const auto frame =
+        static_cast<size_t>(std::min(std::floor(place), std::max(last - 1.0, 0.0)));
+    const size_t next = std::min(frame + 1, static_cast<size_t>(last));
+    const auto u = static_cast<float>(place - static_cast<double>(frame));
+    for (size_t i = 0; i < model.mesh.positions.size(); ++i) {
+        const size_t vertex = base_.source[i];
+        model.mesh.positions[i] = glm::mix(positions_[frame * base_.file_vertices + vertex],
+                                           positions_[next * base_.file_vertices + vertex], u);
+    }
+    if (!model.mesh.normals.empty()) compute_normals(model.mesh);
+    return model;
+}
+
+std::unique_ptr<Animation> load_vertex_frames(const std::string& mesh,
+                                              const std::string& frames,
+                                              const std::string& json) {
+    const std::string beside =
+        std::filesystem::path(frames).replace_extension(".json").string();
+    const Description d = read_description(json.empty() ? beside : json);
+    NumberedModel base = load_numbered_mesh(mesh);
+    check(mesh, "vertices", base.file_vertices, d.vertices);
+    check(mesh, "triangles", base.model.mesh.triangles.size(), d.triangles);
+    return std::make_unique<VertexFrames>(
+        std::move(base), read_positions(frames, d),
+        VertexFrames::Span{d.start, d.end, static_cast<int>(d.frames)});
+}
+
+}  // namespace render

@@ -1,0 +1,91 @@
+// motion_schema.cpp - transforms and key frames out of JSON.
+#include "scene/motion_schema.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace render {
+namespace {
+
+constexpr double kLargest = 1e30;
+
+// {"axis": [x, y, z], "degrees": d} or a quaternion [w, x, y, z] of any length but zero.
+glm::quat rotation(const JsonValue& value) {
+    if (!value.is_object()) {
+        const auto n = value.numbers(4);
+        const glm::quat q(n[0], n[1], n[2], n[3]);
+        if (!(glm::length(q) > 0.0f)) value.fail("a quaternion [w, x, y, z] that is not 0");
+        return glm::normalize(q);
+    }
+    value.allow_keys({"axis", "degrees"});
+    const glm::vec3 axis = glm::normalize(value.member("axis").direction());
+    const float degrees = static_cast<float>(value.member("degrees").number());
+    return glm::angleAxis(glm::radians(degrees), axis);
+}
+
+glm::vec3 scaling(const JsonValue& value) {
+    const glm::vec3 scale = value.is_number() ? glm::vec3(value.number()) : value.vec3();
+    if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
+        value.fail("a number or an array of 3 numbers, none of them 0");
+    return scale;
+}
+
+// Four rows of four numbers, as matrices are written; the last row is 0 0 0 1.
+glm::mat4 matrix(const JsonValue& value) {
+    const auto rows = value.items();
+    if (rows.size() != 4) value.fail("an array of 4 rows");
+    glm::mat4 result(1.0f);
+    for (int row = 0; row < 4; ++row) {
+        const auto numbers = rows[row].numbers(4);
+        for (int column = 0; column < 4; ++column) result[column][row] = numbers[column];
+    }
+    if (glm::vec4(result[0][3], result[1][3], result[2][3], result[3][3]) !=
+        glm::vec4(0, 0, 0, 1))
+        rows[3].fail("[0, 0, 0, 1]");
+    if (!(glm::determinant(glm::mat3(result)) != 0.0f)) value.fail("a matrix with an inverse");
+    return result;
+}
+
+glm::mat4 step(const JsonValue& value) {
+    value.allow_keys({"translate", "rotate", "scale", "matrix"});
+    if (value.keys().size() != 1)
+        value.fail("one of translate, rotate, scale, matrix per step");
+    const glm::mat4 identity(1.0f);
+    if (auto v = value.find("translate")) return glm::translate(identity, v->vec3());
+    if (auto v = value.find("rotate")) return glm::mat4_cast(rotation(*v));
+    if (auto v = value.find("scale")) return glm::scale(identity, scaling(*v));
+    return matrix(value.member("matrix"));
+}
+
+RigidKey rigid_key(const JsonValue& value) {
+    value.allow_keys({"time", "translate", "rotate", "scale"});
+    RigidKey key;
+    key.time = value.member("time").number_in(-kLargest, kLargest);
+    if (auto v = value.find("translate")) key.translate = v->vec3();
+    if (auto v = value.find("rotate")) key.rotate = rotation(*v);
+    if (auto v = value.find("scale"))
+        key.scale = static_cast<float>(v->number_in(1e-30, kLargest));
+    return key;
+}
+
+}  // namespace
+
+glm::mat4 transform(const JsonValue& value) {
+    if (value.is_object()) return step(value);
+    glm::mat4 whole(1.0f);
+    for (const JsonValue& item : value.items()) whole = step(item) * whole;
+    return whole;
+}
+
+std::vector<RigidKey> rigid_keys(const JsonValue& value) {
+    std::vector<RigidKey> keys;
+    for (const JsonValue& item : value.items()) {
+        const RigidKey key = rigid_key(item);
+        if (!keys.empty() && !(key.time > keys.back().time))
+            item.member("time").fail("a time after the key before");
+        keys.push_back(key);
+    }
+    if (keys.empty()) value.fail("an array of at least one key");
+    return keys;
+}
+
+}  // namespace render

@@ -1,0 +1,174 @@
+// part.cpp - loading, material changes, placing.
+#include "scene/part.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "files/asset.hpp"
+#include "files/json_value.hpp"
+#include "import/load.hpp"
+#include "model/normals.hpp"
+
+namespace render {
+namespace {
+
+std::unique_ptr<Animation> load_animation(const MeshEntry& entry) {
+    if (!entry.vertex_frames.empty())
+        return load_vertex_frames(entry.file, entry.vertex_frames);
+    if (inner_extension(entry.file) == "aff") return load_aff(entry.file);
+    return nullptr;
+}
+
+template <typename T>
+void change_to(T& member, const std::optional<T>& changed) {
+    if (changed) member = *changed;
+}
+
+void change(Material& material, const MaterialChange& c) {
+    change_to(material.ambient, c.ambient);
+    change_to(material.diffuse, c.diffuse);
+    change_to(material.specular, c.specular);
+    change_to(material.shininess, c.shininess);
+    change_to(material.reflection, c.reflection);
+    change_to(material.transmission, c.transmission);
+    change_to(material.ior, c.ior);
+    change_to(material.emission, c.emission);
+    change_to(material.texture, c.texture);
+    if (c.diffuse && !c.ambient) material.ambient = *c.diffuse;
+}
+
+// Most mesh files say nothing about ambient light; black objects in shadow are not what they
+// mean.
+void default_ambient(std::vector<Material>& materials) {
+    for (Material& material : materials)
+        if (material.ambient == glm::vec3(0.0f)) material.ambient = material.diffuse;
+}
+
+void change_named(std::vector<Material>& materials, const std::string& name,
+                  const MaterialChange& c, const std::string& where) {
+    bool is_known = false;
+    std::vector<std::string> names;
+    for (Material& material : materials) {
+        names.push_back(material.name);
+        if (material.name != name) continue;
+        change(material, c);
+        is_known = true;
+    }
+    if (!is_known)
+        throw std::runtime_error(
+            fmt::format("{}.materials: found \"{}\", which the mesh does not have; nearest: "
+                        "\"{}\", allowed: "
+                        "{}",
+                        where, name, nearest_word(name, names), fmt::join(names, ", ")));
+}
+
+void change_materials(const MeshEntry& entry, std::vector<Material>& materials) {
+    default_ambient(materials);
+    for (Material& material : materials) change(material, entry.material);
+    for (const auto& [name, c] : entry.materials) change_named(materials, name, c, entry.where);
+}
+
+glm::mat4 static_transform(const MeshEntry& entry, const Mesh& mesh) {
+    if (!entry.stand) return entry.transform;
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::vec3 p(entry.transform * glm::vec4(position, 1.0f));
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return standing_at(low, high, entry.stand->at, entry.stand->height) * entry.transform;
+}
+
+glm::vec3 point(const glm::mat4& matrix, glm::vec3 p) {
+    return matrix * glm::vec4(p, 1.0f);
+}
+
+glm::vec3 unit_or_zero(glm::vec3 v) {
+    const float length = glm::length(v);
+    return length > 0.0f ? v / length : glm::vec3(0.0f);
+}
+
+void place_mesh(const glm::mat4& matrix, const Mesh& rest, Mesh& placed) {
+    const glm::mat3 for_normals = glm::transpose(glm::inverse(glm::mat3(matrix)));
+    for (size_t i = 0; i < rest.positions.size(); ++i)
+        placed.positions[i] = point(matrix, rest.positions[i]);
+    for (size_t i = 0; i < rest.normals.size(); ++i)
+        placed.normals[i] = unit_or_zero(for_normals * rest.normals[i]);
+}
+
+void place_camera_and_lights(const glm::mat4& matrix, const Model& rest, Model& placed) {
+    const glm::mat3 turn(matrix);
+    placed.lights = rest.lights;
+    for (Light& light : placed.lights) {
+        light.position = point(matrix, light.position);
+        light.direction = turn * light.direction;
+    }
+    placed.camera = rest.camera;
+    if (!placed.camera) return;
+    placed.camera->eye = point(matrix, rest.camera->eye);
+    placed.camera->at = point(matrix, rest.camera->at);
+    placed.camera->up = turn * rest.camera->up;
+}
+
+}  // namespace
+
+Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
+    try {
+        if (!entry_.file.empty()) animation_ = load_animation(entry_);
+        if (animation_)
+            rest_ = animation_->at(animation_->start());
+        else
+            rest_ = entry_.file.empty() ? make_room(entry_.room) : load_mesh(entry_.file);
+        if (entry_.is_smooth) rest_.mesh.normals = smooth_normals(rest_.mesh);
+        transform_ = static_transform(entry_, rest_.mesh);
+    } catch (const std::exception& error) {
+        // A mesh on the command line is its own place, which its loader has named already.
+        const std::string message = error.what();
+        if (message.rfind(entry_.where, 0) == 0) throw;
+        throw std::runtime_error(fmt::format("{}: {}", entry_.where, message));
+    }
+    change_materials(entry_, rest_.materials);
+    placed_ = rest_;
+    place(0.0);
+}
+
+std::optional<Interval> Part::time_span() const {
+    if (animation_) return Interval{animation_->start(), animation_->end()};
+    if (entry_.keys.empty()) return std::nullopt;
+    return Interval{entry_.keys.front().time, entry_.keys.back().time};
+}
+
+int Part::frames() const {
+    return animation_ ? animation_->frames() : 1;
+}
+
+double Part::animation_time(double time) const {
+    const double start = animation_->start();
+    const double length = animation_->end() - start;
+    if (!entry_.repeats || !(length > 0.0)) return time;
+    const double passed = std::fmod(time - start, length);
+    return start + (passed < 0.0 ? passed + length : passed);
+}
+
+void Part::place(double time) {
+    const glm::mat4 matrix = motion_at(entry_.keys, time) * transform_;
+    place_mesh(matrix, rest_.mesh, placed_.mesh);
+    place_camera_and_lights(matrix, rest_, placed_);
+}
+
+const Model& Part::at(double time) {
+    if (!moves()) return placed_;
+    if (animation_) {
+        Model now = animation_->at(animation_time(time));
+        rest_.mesh.positions = std::move(now.mesh.positions);
+        rest_.mesh.normals = entry_.is_smooth ? smooth_normals(rest_.mesh) : now.mesh.normals;
+        rest_.lights = std::move(now.lights);
+        rest_.camera = now.camera;
+    }
+    place(time);
+    return placed_;
+}
+
+}  // namespace render

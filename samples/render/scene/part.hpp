@@ -1,0 +1,36 @@
+// part.hpp - one mesh entry of a scene at a moment: its model, placed and with its materials
+// changed. Several parts make a World.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "model/model.hpp"
+#include "scene/scene_description.hpp"
+
+namespace render {
+
+class Part {
+public:
+    explicit Part(MeshEntry entry);  // reads the files
+
+    bool moves() const { return animation_ || !entry_.keys.empty(); }
+    std::optional<Interval> time_span() const;  // none when it stands still
+    int frames() const;                         // as the animation was made; 1 when it has none
+
+    // The whole model in world coordinates at `time` [s].
+    const Model& at(double time);
+    const MeshEntry& entry() const { return entry_; }
+
+private:
+    double animation_time(double time) const;
+    void place(double time);
+
+    MeshEntry entry_;
+    std::unique_ptr<Animation> animation_;
+    glm::mat4 transform_;
+    Model rest_;    // before placing
+    Model placed_;  // kept, so that a moving part reuses its memory
+};
+
+}  // namespace render

@@ -1,0 +1,33 @@
+// texture_set.cpp - packs images behind each other.
+#include "scene/texture_set.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <stdexcept>
+
+#include "files/image_file.hpp"
+
+namespace render {
+
+uint32_t TextureSet::add(const std::string& path) {
+    if (const auto found = index_of_.find(path); found != index_of_.end()) return found->second;
+    const Image image = load_image(path);
+    const bool is_bytes = image.format == RSH_TEXEL_SRGB8;
+    const size_t words = is_bytes ? image.bytes.size() / 4 : image.floats.size();
+    const size_t first = texels_.size();
+    if (first + words > UINT32_MAX)
+        throw std::runtime_error(fmt::format("{}: found {} words of texels in all, allowed: {}",
+                                             path, first + words, UINT32_MAX));
+    texels_.resize(first + words);
+    const void* source = is_bytes ? static_cast<const void*>(image.bytes.data())
+                                  : static_cast<const void*>(image.floats.data());
+    std::memcpy(&texels_[first], source, 4 * words);
+    textures_.push_back(
+        {static_cast<uint32_t>(first), image.width, image.height, image.format});
+    const auto index = static_cast<uint32_t>(textures_.size() - 1);
+    index_of_[path] = index;
+    return index;
+}
+
+}  // namespace render

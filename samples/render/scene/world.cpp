@@ -1,0 +1,143 @@
+// world.cpp - joins parts, and chooses camera and lights where the scene names none.
+#include "scene/world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/device_structs.hpp"
+#include "scene/view_fit.hpp"
+
+namespace render {
+namespace {
+
+constexpr glm::vec3 kDefaultAmbient(0.16f);
+constexpr glm::vec3 kDefaultEnvironment(0.10f, 0.12f, 0.15f);
+
+template <typename T>
+void append_or_zero(std::vector<T>& all, const std::vector<T>& some, size_t before,
+                    size_t count) {
+    if (some.empty() && all.empty()) return;
+    all.resize(before, T(0.0f));
+    all.insert(all.end(), some.begin(), some.end());
+    all.resize(before + count, T(0.0f));
+}
+
+}  // namespace
+
+World::World(const SceneDescription& scene) : scene_(scene) {
+    for (const MeshEntry& entry : scene.meshes) parts_.emplace_back(entry);
+    for (Part& part : parts_) {
+        first_vertices_.push_back(mesh_.positions.size());
+        models_.push_back(&part.at(0.0));
+        append(*models_.back(), part.entry());
+    }
+    if (mesh_.triangles.empty())
+        throw std::runtime_error("the scene has no triangle; at least one is required");
+    choose_environment(scene);
+    choose_lights_and_camera();
+}
+
+void World::append(const Model& model, const MeshEntry& entry) {
+    const size_t before = mesh_.positions.size();
+    const size_t count = model.mesh.positions.size();
+    const glm::uvec3 offset(static_cast<uint32_t>(before));
+    const auto first_material = static_cast<uint32_t>(materials_.size());
+    mesh_.positions.insert(mesh_.positions.end(), model.mesh.positions.begin(),
+                           model.mesh.positions.end());
+    append_or_zero(mesh_.normals, model.mesh.normals, before, count);
+    append_or_zero(mesh_.texcoords, model.mesh.texcoords, before, count);
+    for (const glm::uvec3& triangle : model.mesh.triangles)
+        mesh_.triangles.push_back(triangle + offset);
+    for (const uint32_t id : model.mesh.material_ids)
+        mesh_.material_ids.push_back(id + first_material);
+    append_materials(model, entry);
+    for (const std::string& warning : model.warnings)
+        warnings_.push_back(fmt::format("{}: {}", entry.where, warning));
+}
+
+// A texture that the scene file names must be readable; one that a mesh names may be missing.
+void World::append_materials(const Model& model, const MeshEntry& entry) {
+    for (const Material& material : model.materials) {
+        const auto named = entry.materials.find(material.name);
+        const bool is_required =
+            entry.material.texture || (named != entry.materials.end() && named->second.texture);
+        uint32_t texture = RSH_NO_TEXTURE;
+        try {
+            if (!material.texture.empty()) texture = textures_.add(material.texture);
+        } catch (const std::exception& error) {
+            const std::string message = fmt::format("{}: material \"{}\": texture: {}",
+                                                    entry.where, material.name, error.what());
+            if (is_required) throw std::runtime_error(message);
+            warnings_.push_back(message);
+        }
+        materials_.push_back(device_material(material, texture));
+    }
+}
+
+void World::overwrite(size_t first_vertex, const Mesh& mesh) {
+    std::copy(mesh.positions.begin(), mesh.positions.end(), &mesh_.positions[first_vertex]);
+    if (!mesh.normals.empty())
+        std::copy(mesh.normals.begin(), mesh.normals.end(), &mesh_.normals[first_vertex]);
+}
+
+void World::move_to(double time) {
+    moved_.clear();
+    for (size_t i = 0; i < parts_.size(); ++i) {
+        if (!parts_[i].moves()) continue;
+        models_[i] = &parts_[i].at(time);
+        overwrite(first_vertices_[i], models_[i]->mesh);
+        moved_.push_back({first_vertices_[i], models_[i]->mesh.positions.size()});
+    }
+    choose_lights_and_camera();
+}
+
+void World::choose_environment(const SceneDescription& scene) {
+    ambient_ = scene.ambient.value_or(kDefaultAmbient);
+    environment_ = kDefaultEnvironment;
+    for (auto model = models_.rbegin(); model != models_.rend(); ++model)
+        environment_ = (*model)->background.value_or(environment_);
+    if (!scene.environment) return;
+    environment_ = scene.environment->colour;
+    if (!scene.environment->image.empty())
+        environment_texture_ = 1 + textures_.add(scene.environment->image);
+}
+
+void World::choose_lights_and_camera() {
+    std::optional<Camera> camera = scene_.camera;
+    lights_.clear();
+    for (const Model* model : models_) {
+        if (!camera) camera = model->camera;
+        lights_.insert(lights_.end(), model->lights.begin(), model->lights.end());
+    }
+    camera_ = camera ? *camera : camera_that_fits(mesh_);
+    if (scene_.lights)
+        lights_ = *scene_.lights;
+    else if (lights_.empty())
+        lights_.push_back(light_over_shoulder(camera_));
+    if (lights_.size() > RSH_MAX_LIGHTS)
+        throw std::runtime_error(fmt::format("found {} lights in all, allowed: at most {}",
+                                             lights_.size(), RSH_MAX_LIGHTS));
+}
+
+Interval World::time_span() const {
+    std::optional<Interval> whole;
+    for (const Part& part : parts_) {
+        const auto span = part.time_span();
+        if (!span) continue;
+        if (!whole) whole = span;
+        whole->start = std::min(whole->start, span->start);
+        whole->end = std::max(whole->end, span->end);
+    }
+    return whole.value_or(Interval{});
+}
+
+int World::frames() const {
+    int most = 1;
+    for (const Part& part : parts_) most = std::max(most, part.frames());
+    return most;
+}
+
+}  // namespace render

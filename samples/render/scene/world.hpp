@@ -1,0 +1,63 @@
+// world.hpp - all parts of a scene as one mesh with one table of materials, and what moves in
+// it. Knows no device.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/part.hpp"
+#include "scene/texture_set.hpp"
+
+namespace render {
+
+struct VertexRange {
+    size_t first = 0;
+    size_t count = 0;
+};
+
+class World {
+public:
+    explicit World(
+        const SceneDescription& scene);  // reads all files; throws std::runtime_error
+
+    // Moves everything to a moment; moved() then says which vertices that concerned.
+    void move_to(double time);
+    const std::vector<VertexRange>& moved() const { return moved_; }
+
+    const Mesh& mesh() const { return mesh_; }  // normals: none at all, or one per vertex
+    const std::vector<rsh_material>& materials() const { return materials_; }
+    const std::vector<Light>& lights() const { return lights_; }
+    const Camera& camera() const { return camera_; }
+    const TextureSet& textures() const { return textures_; }
+    glm::vec3 ambient() const { return ambient_; }
+    glm::vec3 environment() const { return environment_; }
+    uint32_t environment_texture() const { return environment_texture_; }  // 1 + index, or 0
+
+    Interval time_span() const;  // from the first start to the last end of what moves
+    int frames() const;          // of the animation with the most
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    void append(const Model& model, const MeshEntry& entry);
+    void append_materials(const Model& model, const MeshEntry& entry);
+    void overwrite(size_t first_vertex, const Mesh& mesh);
+    void choose_environment(const SceneDescription& scene);
+    void choose_lights_and_camera();
+
+    SceneDescription scene_;
+    std::vector<Part> parts_;
+    std::vector<const Model*> models_;  // of the parts, as they are now
+    std::vector<size_t> first_vertices_;
+    Mesh mesh_;
+    std::vector<rsh_material> materials_;
+    std::vector<Light> lights_;
+    Camera camera_;
+    TextureSet textures_;
+    glm::vec3 ambient_{0.0f};
+    glm::vec3 environment_{0.0f};
+    uint32_t environment_texture_ = 0;
+    std::vector<VertexRange> moved_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace render

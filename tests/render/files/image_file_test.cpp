@@ -1,0 +1,55 @@
+// image_file_test.cpp - pictures written and read back.
+#include "files/image_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "temporary_folder.hpp"
+
+namespace {
+
+render::Frame four_pixels() {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    return {2,
+            2,
+            {0.0f, 0.5f, 1.0f, 1.0f, 0.002f, 0.2158605f, 7.0f, 1.0f, -1.0f, nan, 0.25f, 0.0f,
+             1.0f, 1.0f, 1.0f, 1.0f}};
+}
+
+TEST(ImageFile, KeepsLinearFloatsInExr) {
+    render::TemporaryFolder folder;
+    const std::string path = folder.path("a.exr");
+    render::Frame frame = four_pixels();
+    frame.pixels[9] = 0.125f;
+    render::save_image(frame, path);
+    const render::Image image = render::load_image(path);
+    EXPECT_EQ(image.format, RSH_TEXEL_FLOAT32);
+    EXPECT_EQ(image.floats, frame.pixels);
+}
+
+TEST(ImageFile, EncodesSrgbInPngAndClamps) {
+    render::TemporaryFolder folder;
+    const std::string path = folder.path("a.png");
+    render::save_image(four_pixels(), path);
+    const render::Image image = render::load_image(path);
+    ASSERT_EQ(image.format, RSH_TEXEL_SRGB8);
+    // Linear 0.5 is 187.5 of 255 in sRGB, 0.2158605 is 128, 0.002 is in the linear toe.
+    const std::vector<uint8_t> expected{0, 188, 255, 255, 7,   128, 255, 255,
+                                        0, 0,   137, 255, 255, 255, 255, 255};
+    EXPECT_EQ(image.bytes, expected);
+}
+
+TEST(ImageFile, NamesAFileThatIsNoImage) {
+    render::TemporaryFolder folder;
+    const std::string path = folder.path("nothing.png");
+    try {
+        render::load_image(path);
+        FAIL() << "no exception";
+    } catch (const std::exception& error) {
+        EXPECT_NE(std::string(error.what()).find("nothing.png"), std::string::npos);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,181 @@
+// real_scenes_test.cpp - real meshes and animations, read from the folder that RSH_SCENES
+// names: triangle counts, and that broken files load or give an error.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "files/asset.hpp"
+#include "files/text_scan.hpp"
+#include "import/load.hpp"
+#include "import/mesh_file.hpp"
+
+namespace render {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RealScenes : public testing::Test {
+protected:
+    void SetUp() override {
+        const char* folder = std::getenv("RSH_SCENES");
+        if (!folder || !fs::is_directory(folder))
+            GTEST_SKIP() << "RSH_SCENES names no folder, so no real scene is read";
+        folder_ = folder;
+    }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    fs::path folder_;
+};
+
+struct Count {
+    const char* file;
+    size_t triangles;
+    size_t vertices;  // of the file
+};
+
+TEST_F(RealScenes, MeshesHaveAllTheirTrianglesAndNoVertexTwice) {
+    constexpr Count kCounts[] = {{"conference/conference.obj", 331179, 194399},
+                                 {"dragon/dragon_vrip.ply", 871414, 437645},
+                                 {"dragon/dragon_vrip_res2.ply", 202520, 100250},
+                                 {"dragon/dragon_vrip_res3.ply", 47794, 22998},
+                                 {"dragon/dragon_vrip_res4.ply", 11102, 5205},
+                                 {"bunny/bun_zipper.ply", 69451, 35947},
+                                 {"bunny/bun_zipper_res2.ply", 16301, 8171},
+                                 {"bunny/bun_zipper_res3.ply", 3851, 1889},
+                                 {"bunny/bun_zipper_res4.ply", 948, 453},
+                                 {"chinese_dragon_20k/ChineseDragon-10kv.off", 19994, 10000},
+                                 {"koala/koala.obj", 99994, 49999},
+                                 {"cornell_box/CornellBox-Empty-CO.obj", 12, 24},
+                                 {"cornell_box/CornellBox-Empty-RG.obj", 12, 24},
+                                 {"cornell_box/CornellBox-Empty-Squashed.obj", 12, 2574},
+                                 {"cornell_box/CornellBox-Empty-White.obj", 12, 24},
+                                 {"cornell_box/CornellBox-Glossy.obj", 1112, 578},
+                                 {"cornell_box/CornellBox-Glossy-Floor.obj", 1112, 578},
+                                 {"cornell_box/CornellBox-Mirror.obj", 36, 72},
+                                 {"cornell_box/CornellBox-Original.obj", 36, 72},
+                                 {"cornell_box/CornellBox-Sphere.obj", 2188, 1116},
+                                 {"cornell_box/CornellBox-Water.obj", 7088, 3666},
+                                 {"cornell_box/water.obj", 4900, 2550}};
+    for (const Count& count : kCounts) {
+        const NumberedModel loaded = load_numbered_mesh(path(count.file));
+        EXPECT_EQ(loaded.model.mesh.triangles.size(), count.triangles) << count.file;
+        EXPECT_EQ(loaded.file_vertices, count.vertices) << count.file;
+        EXPECT_EQ(loaded.model.mesh.material_ids.size(), count.triangles) << count.file;
+    }
+}
+
+TEST_F(RealScenes, MirrorsAndGlassOfTheCornellBox) {
+    const Model model = load_mesh(path("cornell_box/CornellBox-Sphere.obj"));
+    size_t mirrors = 0, glasses = 0;
+    for (const Material& material : model.materials) {
+        if (material.reflection.x > 0.9f) ++mirrors;
+        if (material.transmission.x > 0.0f && material.ior > 2.0f) ++glasses;
+    }
+    EXPECT_EQ(mirrors, 1u);
+    EXPECT_EQ(glasses, 1u);
+}
+
+void expect_bart(const std::string& file, size_t triangles, int frames) {
+    const auto animation = load_aff(file);
+    EXPECT_EQ(animation->frames(), frames) << file;
+    const Model first = animation->at(animation->start());
+    EXPECT_EQ(first.mesh.triangles.size(), triangles) << file;
+    EXPECT_TRUE(first.camera.has_value()) << file;
+    for (int i = 1; i <= 8; ++i) {
+        const double time =
+            animation->start() + (animation->end() - animation->start()) * i / 8.0;
+        const Model model = animation->at(time);
+        ASSERT_EQ(model.mesh.triangles, first.mesh.triangles) << file << " at " << time;
+        for (const glm::vec3 p : model.mesh.positions)
+            ASSERT_LT(glm::length(p), 1000.0f) << file << " at " << time;
+    }
+}
+
+TEST_F(RealScenes, BartMuseum) {
+    expect_bart(path("bart_museum/aff/museum5.aff"), 11692, 300);
+}
+TEST_F(RealScenes, BartKitchen) {
+    expect_bart(path("bart_kitchen/aff/kitchen.aff"), 110561, 800);
+}
+
+// Distance of a point from the surface of the tetrahedron through (+-.5, +-.5, +-.5) + c, along
+// the faces' normals (1, 1, 1) and so on.
+float tetrahedron_error(glm::vec3 p) {
+    const glm::vec3 q = p - glm::vec3(0.0f, 2.5f, 0.0f);
+    const float planes[] = {q.x - q.y - q.z, -q.x + q.y - q.z, -q.x - q.y + q.z,
+                            q.x + q.y + q.z};
+    float error = 1e9f;
+    for (const float plane : planes)
+        error = std::min(error, std::min(std::abs(plane - 0.5f), std::abs(plane + 0.5f)));
+    return error;
+}
+
+TEST_F(RealScenes, MuseumMorphsThroughTetrahedronAndSphere) {
+    const auto animation = load_aff(path("bart_museum/aff/museum5.aff"));
+    const Mesh rest = animation->at(0.0).mesh, tetrahedron = animation->at(2.0).mesh,
+               sphere = animation->at(3.0).mesh;
+    size_t moving = 0;
+    for (size_t i = 0; i < rest.positions.size(); ++i) {
+        if (rest.positions[i] == sphere.positions[i]) continue;
+        ++moving;
+        EXPECT_LT(tetrahedron_error(tetrahedron.positions[i]), 1e-5f) << "vertex " << i;
+        EXPECT_NEAR(glm::distance(sphere.positions[i], glm::vec3(0.0f, 2.5f, 0.0f)), 0.8f,
+                    1e-5f)
+            << "vertex " << i;
+    }
+    EXPECT_EQ(moving, 3u * 1024);
+}
+
+void expect_frames(const fs::path& folder, const std::string& name, size_t triangles,
+                   int frames) {
+    const std::string base = (folder / name).string();
+    const auto animation = load_vertex_frames(base + "_base.obj", base + "_frames.f32");
+    EXPECT_EQ(animation->frames(), frames) << name;
+    const Model still = load_mesh(base + "_base.obj");
+    const Model first = animation->at(animation->start());
+    ASSERT_EQ(first.mesh.triangles.size(), triangles) << name;
+    for (size_t i = 0; i < still.mesh.positions.size(); ++i)
+        ASSERT_LT(glm::distance(first.mesh.positions[i], still.mesh.positions[i]), 1e-3f)
+            << name << ", vertex " << i << ": the first frame is the mesh itself";
+    EXPECT_NE(animation->at(animation->end() / 2.0).mesh.positions, first.mesh.positions)
+        << name;
+}
+
+TEST_F(RealScenes, VertexAnimationsStartAtTheirMesh) {
+    expect_frames(folder_ / "fox", "fox_walk", 576, 24);
+    expect_frames(folder_ / "fox", "fox_run", 576, 24);
+    expect_frames(folder_ / "robot_expressive", "robot_dance", 3234, 30);
+}
+
+// Formats that rsh_model does not read are left to their error as well.
+TEST_F(RealScenes, BrokenFilesLoadOrGiveAnErrorThatNamesThem) {
+    size_t loaded = 0, refused = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "broken")) {
+        const std::string file = entry.path().string();
+        const std::string extension = inner_extension(file);
+        if (!entry.is_regular_file() || extension == "mtl" || extension == "txt" ||
+            extension == "md")
+            continue;
+        try {
+            const Model model = load_mesh(file);
+            ++loaded;
+            for (const glm::uvec3 t : model.mesh.triangles)
+                ASSERT_LT(std::max({t.x, t.y, t.z}), model.mesh.positions.size()) << file;
+            EXPECT_FALSE(model.mesh.triangles.empty() && model.warnings.empty()) << file;
+        } catch (const LoadError& error) {
+            ++refused;
+            EXPECT_EQ(std::string(error.what()).compare(0, file.size(), file), 0)
+                << error.what();
+        }
+    }
+    std::cout << loaded << " broken files loaded, " << refused << " refused\n";
+    EXPECT_GE(loaded, 60u);
+    EXPECT_GE(refused, 6u);
+}
+
+}  // namespace
+}  // namespace render
