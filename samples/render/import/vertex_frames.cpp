@@ -11,7 +11,7 @@
 
 #include "files/asset.hpp"
 #include "files/text_scan.hpp"
-#include "import/load.hpp"
+#include "import/mesh_file.hpp"
 
 namespace render {
 namespace {
@@ -85,7 +85,28 @@ std::vector<uint32_t> normal_groups(const NumberedModel& base) {
     return groups;
 }
 
-}  // namespace
+class VertexFrames : public Animation {
+public:
+    struct Span {
+        double start = 0.0, end = 0.0;
+        int frames = 1;  // the first at `start`, the last at `end`
+    };
+    VertexFrames(NumberedModel base, std::vector<glm::vec3> positions, Span span);
+
+    double start() const override { return span_.start; }
+    double end() const override { return span_.end; }
+    int frames() const override { return span_.frames; }
+    // Normals are computed anew if the mesh file has any.
+    Model at(double time) const override;
+
+private:
+    void compute_normals(Mesh& mesh) const;
+
+    NumberedModel base_;
+    std::vector<glm::vec3> positions_;
+    Span span_;
+    std::vector<uint32_t> normal_groups_;  // per vertex; empty without normals
+};
 
 VertexFrames::VertexFrames(NumberedModel base, std::vector<glm::vec3> positions, Span span)
     : base_(std::move(base)),
@@ -127,6 +148,8 @@ Model VertexFrames::at(double time) const {
     if (!model.mesh.normals.empty()) compute_normals(model.mesh);
     return model;
 }
+
+}  // namespace
 
 std::unique_ptr<Animation> load_vertex_frames(const std::string& mesh,
                                               const std::string& frames,

@@ -4,31 +4,17 @@
 // the time is clamped, not repeated.
 #pragma once
 
-#include "import/mesh_file.hpp"
+#include <memory>
+#include <string>
+
+#include "model/model.hpp"
 
 namespace render {
 
-class VertexFrames : public Animation {
-public:
-    struct Span {
-        double start = 0.0, end = 0.0;
-        int frames = 1;  // the first at `start`, the last at `end`
-    };
-    VertexFrames(NumberedModel base, std::vector<glm::vec3> positions, Span span);
-
-    double start() const override { return span_.start; }
-    double end() const override { return span_.end; }
-    int frames() const override { return span_.frames; }
-    // Normals are computed anew if the mesh file has any.
-    Model at(double time) const override;
-
-private:
-    void compute_normals(Mesh& mesh) const;
-
-    NumberedModel base_;
-    std::vector<glm::vec3> positions_;
-    Span span_;
-    std::vector<uint32_t> normal_groups_;  // per vertex; empty without normals
-};
+// Positions per frame over the topology of `mesh`; an empty `json` means the file beside `frames`
+// that differs in its extension only. Paths as in asset.hpp. Throws LoadError.
+std::unique_ptr<Animation> load_vertex_frames(const std::string& mesh,
+                                              const std::string& frames,
+                                              const std::string& json = "");
 
 }  // namespace render

@@ -8,7 +8,9 @@
 
 #include "files/asset.hpp"
 #include "files/json_value.hpp"
-#include "import/load.hpp"
+#include "import/bart/aff_animation.hpp"
+#include "import/mesh_file.hpp"
+#include "import/vertex_frames.hpp"
 #include "model/normals.hpp"
 
 namespace render {

@@ -9,8 +9,9 @@
 
 #include "files/asset.hpp"
 #include "files/text_scan.hpp"
-#include "import/load.hpp"
+#include "import/bart/aff_animation.hpp"
 #include "import/mesh_file.hpp"
+#include "import/vertex_frames.hpp"
 
 namespace render {
 namespace {

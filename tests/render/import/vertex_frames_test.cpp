@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "files/text_scan.hpp"
-#include "import/load.hpp"
+#include "import/vertex_frames.hpp"
 #include "temporary_folder.hpp"
 
 namespace render {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "files/text_scan.hpp"
-#include "import/load.hpp"
+#include "import/bart/aff_animation.hpp"
 #include "temporary_folder.hpp"
 
 namespace render {
