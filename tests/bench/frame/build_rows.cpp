@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "frame/brute_check.hpp"
+#include "frame/checksum.hpp"
 #include "timing.hpp"
 
 namespace bench {
@@ -54,7 +55,8 @@ Case measure_build(const Device& device, SceneOnDevice& scene, const BuildRow& r
     RshTracer tracer(device, scene.geometry(), row.size, false, column);
     tracer.trace(rays.buffer());
     const BruteCheck brute(device, scene.geometry(), rays, false);
-    const size_t mismatches = brute.mismatches(tracer.hits());
+    const std::vector<rsh_hit> hits = tracer.hits();
+    const size_t mismatches = brute.mismatches(hits);
     Case result = {case_name(row, column),
                    {{"scene", row.scene.name},
                     {"triangles", scene.geometry().triangle_count},
@@ -64,7 +66,7 @@ Case measure_build(const Device& device, SceneOnDevice& scene, const BuildRow& r
                     {"active_rays", rays.active_count()},
                     {"engine", column.engine_name},
                     {"bound", column.bound_name}},
-                   {{"mismatches", mismatches}},
+                   {{"mismatches", mismatches}, {"hits_checksum", checksum(hits)}},
                    mismatches == 0};
     if (result.ok) put_times(device, rays, tracer, pairs, result.metrics);
     return result;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "frame/brute_check.hpp"
+#include "frame/checksum.hpp"
 #include "frame/embree_check.hpp"
 #include "timing.hpp"
 
@@ -32,6 +33,7 @@ struct Contender {
     Column column;
     std::unique_ptr<RshTracer> tracer;
     size_t mismatches = 0;
+    std::string hits_checksum;  // of the checked moment, whatever the number of rounds
     FrameWork work;
     DifferenceCounts differences;
     std::vector<double> total_ms, bound_ms, build_ms, traverse_ms;
@@ -153,11 +155,13 @@ void RowRun::check(Contender& contender, const BruteCheck& brute) {
     if (is_shadow_) {
         const auto ours = contender.tracer->occlusion();
         contender.mismatches = brute.mismatches(ours);
+        contender.hits_checksum = checksum(ours);
         contender.differences =
             compare_occlusion(device_, scene_, rays_, ours, *embrees_.front().peer, masks_);
     } else {
         const auto ours = contender.tracer->hits();
         contender.mismatches = brute.mismatches(ours);
+        contender.hits_checksum = checksum(ours);
         contender.differences = compare_hits(scene_, rays_, ours, hits_);
     }
     contender.work = contender.tracer->count(rays_.buffer(), active_rays_);
@@ -252,7 +256,8 @@ nlohmann::json RowRun::metrics(const Contender& c) const {
                               {"embree_edge", c.differences.edge},
                               {"embree_grazing", c.differences.grazing},
                               {"embree_other", c.differences.other},
-                              {"mismatches", c.mismatches}};
+                              {"mismatches", c.mismatches},
+                              {"hits_checksum", c.hits_checksum}};
     if (c.mismatches == 0) put_times(c, metrics);
     return metrics;
 }

@@ -5,6 +5,7 @@ set(frame ${CMAKE_CURRENT_LIST_DIR})
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 add_executable(rsh_bench_tests
+    ${frame}/checksum.cpp ${frame}/checksum_test.cpp
     ${frame}/differences.cpp ${frame}/differences_test.cpp
     ${frame}/diffuse.cpp ${frame}/diffuse_test.cpp
     ${frame}/fit.cpp ${frame}/fit_test.cpp
