@@ -301,8 +301,8 @@ enum {
 enum {
     RSH_UPDATE_NONE = 0, /* nothing; for this frame alone: made quickly */
     RSH_UPDATE_NEXT = 1, /* what was made in an earlier frame, untouched since: its order stays
-                            while it serves; it is made anew, as the first, when it is worn, or
-                            was made of another number of triangles */
+                            while it serves; it is made anew, as the first, when it is worn, and
+                            when the buffer holds anything but bounds of so many triangles */
     RSH_UPDATE_FIRST = 2 /* nothing; to be kept, for updates or for many frames of a scene that
                             stands still: made with more care */
 };

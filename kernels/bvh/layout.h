@@ -1,11 +1,11 @@
 /* layout.h - what rsh_bound makes for the bound `box`, and how to find one's way in it:
+ *   head      rsh_bounds_head: what the rest is of
  *   clusters  RSH_CLUSTERS x rsh_cluster: triangles that lie close together. Where a part needs
  *             fewer than it has room for, the others hold none
  *   groups    RSH_GROUPS x rsh_box_group: of clusters and of other groups; those of the parts
  *             first, then those above
  *   order     a word per triangle: its number, by its place (bvh/order.cl)
  *   surveys   RSH_SURVEYS x rsh_survey, of the order when it was made
- *   top       rsh_scene_top
  *   counts    rsh_part_counts per part
  */
 #ifndef RSH_BVH_LAYOUT_H
@@ -13,6 +13,7 @@
 
 #include "bvh/types.h"
 
+#define RSH_HEAD_WORDS 16ul
 #define RSH_CLUSTER_WORDS 160ul
 #define RSH_GROUP_WORDS 112ul
 
@@ -20,7 +21,7 @@
 #define RSH_TRIANGLES_AT 144
 #define RSH_BELOW_AT 96
 
-static ulong cluster_at(uint cluster) { return RSH_CLUSTER_WORDS * cluster; }
+static ulong cluster_at(uint cluster) { return RSH_HEAD_WORDS + RSH_CLUSTER_WORDS * cluster; }
 
 /* How a group names a cluster that is in it. */
 static uint below_cluster(uint cluster, bool is_scaled)
@@ -40,18 +41,28 @@ static uint triangle_in_place(__global const float* boxes, uint place)
 
 static ulong box_group_at(const rsh_scene_shape* shape, uint group)
 {
-    return RSH_CLUSTER_WORDS * RSH_CLUSTERS(*shape) + RSH_GROUP_WORDS * group;
+    return cluster_at(RSH_CLUSTERS(*shape)) + RSH_GROUP_WORDS * group;
 }
 
-static __global rsh_scene_top* scene_top(const rsh_scene_shape* shape, __global float* boxes)
+static __global rsh_bounds_head* bounds_head(__global float* boxes)
 {
-    return (__global rsh_scene_top*)(boxes + RSH_TOP_AT(*shape));
+    return (__global rsh_bounds_head*)boxes;
 }
 
-static __global const rsh_scene_top* scene_top_of(const rsh_scene_shape* shape,
-                                                  __global const float* boxes)
+static __global const rsh_bounds_head* bounds_head_of(__global const float* boxes)
 {
-    return (__global const rsh_scene_top*)(boxes + RSH_TOP_AT(*shape));
+    return (__global const rsh_bounds_head*)boxes;
+}
+
+/* Nothing else of the bounds may be read before this is true. */
+static bool are_made_of(__global const float* boxes, rsh_scene_shape shape)
+{
+    const rsh_bounds_head head = *bounds_head_of(boxes);
+    return head.made == RSH_BOUNDS_MADE && head.shape.triangles == shape.triangles &&
+           head.shape.part == shape.part && head.shape.parts == shape.parts &&
+           head.shape.part_clusters == shape.part_clusters &&
+           head.shape.part_groups == shape.part_groups &&
+           head.shape.upper_groups == shape.upper_groups;
 }
 
 /* By part. */

@@ -193,7 +193,7 @@ __kernel void rsh_bound_levels(rsh_scene_shape scene_shape, __global const rsh_s
     const rsh_span scene = whole_span(spans, span_count);
     const float price = RSH_RUN_PRICE * share_of(&scene, shape.triangles);
     const rsh_group_range groups = group_levels(&shape, RSH_MEAN_RUN * price, boxes, loose);
-    *scene_top(&shape, boxes) = (rsh_scene_top){groups, shape.triangles};
+    *bounds_head(boxes) = (rsh_bounds_head){RSH_BOUNDS_MADE, shape, groups};
 }
 
 /* The tree above the parts, and the groups at its top; one work-item: a part leaves 4 boxes. */
@@ -218,7 +218,7 @@ __kernel void rsh_bound_top(rsh_scene_shape scene_shape, __global const rsh_sort
     above->first_group = end - 1;
     make_group(&growing, tops.number[0], end - 1, boxes);
     make_waiting_groups(&growing, above, boxes);
-    *scene_top(&shape, boxes) = (rsh_scene_top){{above->first_group, end}, shape.triangles};
+    *bounds_head(boxes) = (rsh_bounds_head){0, shape, {above->first_group, end}};
 }
 
 /* What a part has, and will be read in no order. */
@@ -231,7 +231,7 @@ static void expect_part(const rsh_tree* tree, uint part)
 #endif
 }
 
-/* A work-item makes the groups of a part. */
+/* A work-item makes the groups of a part. Nothing is left to be done after that. */
 __kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
                                __global const rsh_sorting* sorting, __global float* boxes,
                                __global const rsh_loose_box* loose, __global float* tree)
@@ -245,4 +245,5 @@ __kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
     make_waiting_groups(&grown, grown.parts + me, boxes);
     part_counts(&shape, boxes)[me].groups =
         (rsh_group_range){grown.parts[me].first_group, (me + 1) * shape.part_groups};
+    if (me == 0) bounds_head(boxes)->made = RSH_BOUNDS_MADE;
 }

@@ -3,8 +3,8 @@
  * among small ones becomes large.
  *   vertices, indices  in   triangles
  *   sorting, keys      out  for order/sort.cl, and how many triangles are in each of its bins, cells
- *   is_update, now,    in   1: the order that `boxes` hold stays if it serves (bvh/refit_quality.h)
- *   boxes
+ *   is_update, now,    in   1: the order that `boxes` hold stays if it serves (bvh/refit_quality.h);
+ *   boxes                   else they are no bounds any more
  * Where runs of 16 triangles are compact as they come, as in most meshes, they stay in their
  * order within a cell. Where they are not, each cell is sorted on. The device decides. A
  * work-item has a run of the triangles.
@@ -36,12 +36,6 @@ static void ask_group(const rsh_boxes* boxes, rsh_span* span)
     span->sparse += surface_of(low, high) > RSH_SPARSE * surface_of_boxes(boxes);
 }
 
-/* Bounds that were never made, or of another scene, hold no order. */
-static bool has_order(__global const float* boxes, rsh_scene_shape shape)
-{
-    return scene_top_of(&shape, boxes)->triangles == shape.triangles;
-}
-
 /* Looks at the order that `boxes` hold; if `is_record`, only at one that was made just now. */
 __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
                                __global const uint* indices, rsh_scene_shape shape,
@@ -51,7 +45,7 @@ __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
 {
     const uint me = get_global_id(0);
     if (me >= RSH_SURVEYS) return; /* launch is rounded up to whole groups */
-    if (is_record ? !sorting->is_needed : !has_order(boxes, shape)) return;
+    if (is_record ? !sorting->is_needed : !are_made_of(boxes, shape)) return;
     __global const uint* order = (__global const uint*)boxes + RSH_ORDER_AT(shape);
     ((__global rsh_survey*)(surveys + first))[me] =
         survey_at(me, mesh, vertices, indices, order, (shape.triangles + 15) / 16);
@@ -60,16 +54,20 @@ __kernel void rsh_order_survey(rsh_mesh mesh, __global const float* vertices,
 static bool keeps_order(uint is_update, __global const rsh_survey* now,
                         __global const float* boxes, rsh_scene_shape shape)
 {
-    return is_update && has_order(boxes, shape) &&
+    return is_update && are_made_of(boxes, shape) &&
            order_serves(now, (__global const rsh_survey*)(boxes + RSH_SURVEYS_AT(shape)));
 }
 
+/* Decides whether there is a new order, for all that follows. */
 __kernel void rsh_order_measure(rsh_mesh mesh, __global const float* vertices,
                                 __global const uint* indices, rsh_scene_shape shape,
                                 uint is_update, __global const rsh_survey* now,
-                                __global const float* boxes, __global rsh_span* spans)
+                                __global const float* boxes, __global rsh_span* spans,
+                                __global rsh_sorting* sorting)
 {
-    if (keeps_order(is_update, now, boxes, shape)) return;
+    const bool is_kept = keeps_order(is_update, now, boxes, shape);
+    if (get_global_id(0) == 0) *sorting = (rsh_sorting){!is_kept, 0};
+    if (is_kept) return;
     const rsh_part mine = my_groups(mesh.triangle_count);
     rsh_span span = no_span();
     for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
@@ -127,20 +125,18 @@ static void keys_of_boxes(const rsh_boxes* boxes, rsh_grid grid, uint* keys)
 
 /* Keys of all triangles, and how many are in each cell. */
 __kernel void rsh_order_keys(rsh_mesh mesh, __global const float* vertices,
-                             __global const uint* indices, rsh_scene_shape shape,
-                             uint is_update, __global const rsh_survey* now,
-                             __global const float* boxes, uint cell_bits,
-                             __global const rsh_span* spans,
+                             __global const uint* indices, __global float* boxes,
+                             uint cell_bits, __global const rsh_span* spans,
                              __global rsh_sorting* sorting, __global uint* keys,
                              __global uint* bins)
 {
-    if (keeps_order(is_update, now, boxes, shape)) {
-        if (get_global_id(0) == 0) *sorting = (rsh_sorting){0, 0};
-        return;
-    }
+    if (!sorting->is_needed) return;
     const rsh_part mine = my_groups(mesh.triangle_count);
     const rsh_grid grid = grid_of(spans, cell_bits);
-    if (get_global_id(0) == 0) *sorting = (rsh_sorting){1, grid.rest};
+    if (get_global_id(0) == 0) {
+        sorting->rest = grid.rest;
+        bounds_head(boxes)->made = 0;
+    }
     __global uint* own = bins + (ulong)RSH_ORDER_BINS(cell_bits) * get_global_id(0);
     for (uint b = 0; b < RSH_ORDER_BINS(cell_bits); ++b) own[b] = 0;
     for (uint g = mine.begin; g < mine.end; ++g) {

@@ -87,7 +87,7 @@ __kernel void rsh_refit_groups(rsh_scene_shape scene_shape, __global const rsh_s
 {
     if (get_global_id(0) != 0 || sorting->is_needed) return;
     const rsh_scene_shape shape = scene_shape;
-    const rsh_group_range groups = scene_top(&shape, boxes)->groups;
+    const rsh_group_range groups = bounds_head(boxes)->groups;
     for (uint g = groups.first; g < groups.end; ++g)
         refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
 }

@@ -49,12 +49,11 @@ RSH_ASSERT_SIZE(rsh_scene_shape, 24);
 #define RSH_BELOW_NUMBER(below) ((below) & 0x01ffffffu)
 
 /* Words before the parts of it that are neither clusters nor groups. */
-#define RSH_ORDER_AT(shape)                          \
-    (sizeof(rsh_cluster) / 4 * RSH_CLUSTERS(shape) + \
+#define RSH_ORDER_AT(shape)                                                        \
+    (sizeof(rsh_bounds_head) / 4 + sizeof(rsh_cluster) / 4 * RSH_CLUSTERS(shape) + \
      sizeof(rsh_box_group) / 4 * RSH_GROUPS(shape))
 #define RSH_SURVEYS_AT(shape) (RSH_ORDER_AT(shape) + (shape).triangles)
-#define RSH_TOP_AT(shape) (RSH_SURVEYS_AT(shape) + RSH_SURVEYS * sizeof(rsh_survey) / 4)
-#define RSH_COUNTS_AT(shape) (RSH_TOP_AT(shape) + sizeof(rsh_scene_top) / 4)
+#define RSH_COUNTS_AT(shape) (RSH_SURVEYS_AT(shape) + RSH_SURVEYS * sizeof(rsh_survey) / 4)
 #define RSH_BOUND_WORDS(shape) \
     (RSH_COUNTS_AT(shape) + (shape).parts * sizeof(rsh_part_counts) / 4)
 /* Surfaces of boxes at a place of an order of triangles, added up: around triangles, around
@@ -72,12 +71,16 @@ typedef struct rsh_group_range {
 } rsh_group_range;
 RSH_ASSERT_SIZE(rsh_group_range, 8);
 
-/* Groups above clusters of several parts. */
-typedef struct rsh_scene_top {
-    rsh_group_range groups;
-    rsh_uint triangles; /* as many as the scene has, once bounds were made of it */
-} rsh_scene_top;
-RSH_ASSERT_SIZE(rsh_scene_top, 12);
+/* What bounds hold, said at their start: all else lies where the shape puts it. */
+typedef struct rsh_bounds_head {
+    rsh_uint made; /* RSH_BOUNDS_MADE: all of it is there; any other word: nothing is */
+    rsh_scene_shape shape;
+    rsh_group_range groups; /* above clusters of several parts */
+    rsh_uint unused[7];     /* clusters begin at a cache line */
+} rsh_bounds_head;
+RSH_ASSERT_SIZE(rsh_bounds_head, 64);
+
+#define RSH_BOUNDS_MADE 0x62687372u
 
 /* Of a part. */
 typedef struct rsh_part_counts {

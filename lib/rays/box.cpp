@@ -37,11 +37,10 @@ public:
     // bvh/order.cl.
     void order() const {
         if (is_update_) survey(scratch_["surveys"], 0, false);
-        launch("rsh_order_measure", sort_.items(), is_update_, scratch_["surveys"],
-               desc_.bounds, scratch_["spans"]);
-        launch("rsh_order_keys", sort_.items(), is_update_, scratch_["surveys"], desc_.bounds,
-               cell_bits(mesh_.triangle_count), scratch_["spans"], scratch_["sorting"],
-               scratch_["keys"], scratch_["bins"]);
+        launch("rsh_order_measure", sort_.items(), shape_, is_update_, scratch_["surveys"],
+               desc_.bounds, scratch_["spans"], scratch_["sorting"]);
+        launch("rsh_order_keys", sort_.items(), desc_.bounds, cell_bits(mesh_.triangle_count),
+               scratch_["spans"], scratch_["sorting"], scratch_["keys"], scratch_["bins"]);
         sort_.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(shape_));
         survey(desc_.bounds, RSH_SURVEYS_AT(shape_), true);
     }
@@ -49,8 +48,8 @@ public:
     // bvh/leaves.cl: where the order is a new one.
     void make() const {
         const cl_uint spans = sort_.items().items, is_kept = desc_.update != RSH_UPDATE_NONE;
-        launch("rsh_bound_clusters", parts(), scratch_["sorting"], spans, scratch_["spans"],
-               is_kept, desc_.bounds, scratch_["loose"], scratch_["tree"]);
+        launch("rsh_bound_clusters", parts(), shape_, scratch_["sorting"], spans,
+               scratch_["spans"], is_kept, desc_.bounds, scratch_["loose"], scratch_["tree"]);
         if (!is_kept) {
             launch_above("rsh_bound_levels", {1, 1}, scratch_["sorting"], spans,
                          scratch_["spans"], desc_.bounds, scratch_["loose"]);
@@ -65,7 +64,7 @@ public:
     // bvh/refit.cl: where the order was kept.
     void refit() const {
         if (!is_update_) return;
-        launch("rsh_refit_clusters", parts(), scratch_["sorting"], desc_.bounds,
+        launch("rsh_refit_clusters", parts(), shape_, scratch_["sorting"], desc_.bounds,
                scratch_["loose"]);
         launch_above("rsh_refit_groups", {1, 1}, scratch_["sorting"], desc_.bounds,
                      scratch_["loose"]);
@@ -73,8 +72,8 @@ public:
 
 private:
     void survey(cl_mem surveys, cl_ulong first, bool is_record) const {
-        launch("rsh_order_survey", {RSH_SURVEYS, 1}, cl_uint{is_record}, scratch_["sorting"],
-               desc_.bounds, surveys, first);
+        launch("rsh_order_survey", {RSH_SURVEYS, 1}, shape_, cl_uint{is_record},
+               scratch_["sorting"], desc_.bounds, surveys, first);
     }
 
     Range parts() const { return recorder_.serial_range(shape_.parts); }
@@ -82,7 +81,7 @@ private:
     template <class... Arguments>
     void launch(const char* kernel, Range range, const Arguments&... arguments) const {
         recorder_.launch(RSH_STAGE_BOUND, tiles_kernel(kernel), range, mesh_,
-                         desc_.geometry.vertices, desc_.geometry.indices, shape_, arguments...);
+                         desc_.geometry.vertices, desc_.geometry.indices, arguments...);
     }
 
     // What does not look at triangles.
@@ -161,7 +160,10 @@ Layout Box::build_scratch(const Context& context, const rsh_levels& levels) cons
 
 void Box::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
-    if (geometry.triangle_count == 0) return;
+    if (geometry.triangle_count == 0) {
+        recorder.fill(RSH_STAGE_BOUND, desc.bounds, 0, sizeof(rsh_bounds_head));
+        return;
+    }
     const Scratch scratch(recorder, bound_scratch(recorder.context(), geometry, desc.update),
                           desc.scratch);
     const SceneBoxes boxes(recorder, desc, scratch);

@@ -211,7 +211,7 @@ void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes,
     expect_permutation(boxes.order);
     if (mesh.triangle_count() == 0) return;
     Walk walk(mesh, boxes);
-    walk.check_group(boxes.top.groups.end - 1, 1);
+    walk.check_group(boxes.head.groups.end - 1, 1);
     if (::testing::Test::HasFatalFailure()) return;
     EXPECT_EQ(walk.order(), boxes.order);
     walk.expect_others_empty();

@@ -57,7 +57,7 @@ TEST(BoxCuts, SeparateGroups) {
     const test::Mesh mesh = clumps_at(random, two_rows(near, 8), count);
     const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
     uint32_t groups = 0;
-    for (const uint32_t group : boxes.groups[boxes.top.groups.end - 1].below) {
+    for (const uint32_t group : boxes.groups[boxes.head.groups.end - 1].below) {
         if (group & RSH_IS_CLUSTER) continue;
         std::set<bool> sides;
         for (const uint32_t below : boxes.groups[group].below)

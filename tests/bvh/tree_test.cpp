@@ -140,8 +140,8 @@ TEST(BoxTrees, HaveLessSurfaceThanRuns) {
         const test::DeviceMesh scene(mesh);
         const test::SceneBoxes runs = test::bound_boxes(scene);
         const test::SceneBoxes tree = test::kept_boxes({&scene})[0];
-        EXPECT_LT(surface_below(tree, tree.top.groups.end - 1),
-                  0.8 * surface_below(runs, runs.top.groups.end - 1));
+        EXPECT_LT(surface_below(tree, tree.head.groups.end - 1),
+                  0.8 * surface_below(runs, runs.head.groups.end - 1));
     }
 }
 

@@ -68,22 +68,28 @@ private:
         RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
     }
 
-    void add_bounds(const DeviceMesh& mesh, const DeviceMesh* earlier) {
+    void add_bounds(const DeviceMesh& mesh, std::vector<const DeviceMesh*> frames) {
+        const bool is_kept = !frames.empty();
+        frames.push_back(&mesh);
         rsh_bound_desc bound = {};
         bound.struct_size = sizeof bound;
-        bound.geometry = (earlier ? *earlier : mesh).geometry();
         bound.bound = desc.bound;
-        rsh_sizes sizes = {};
-        sizes.struct_size = sizeof sizes;
-        RSH_CHECK(rsh_bound_query(context_, &bound, &sizes));
-        bounds_ = std::make_unique<Bytes>(sizes.output_bytes);
+        size_t bytes = 0;
+        for (const DeviceMesh* frame : frames) {
+            bound.geometry = frame->geometry();
+            rsh_sizes sizes = {};
+            sizes.struct_size = sizeof sizes;
+            RSH_CHECK(rsh_bound_query(context_, &bound, &sizes));
+            bytes = std::max(bytes, sizes.output_bytes);
+        }
+        bounds_ = std::make_unique<Bytes>(bytes);
         bound.bounds = desc.bounds = bounds_->get();
-        bound.update = earlier ? RSH_UPDATE_FIRST : RSH_UPDATE_NONE;
-        RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
-        if (!earlier) return;
-        bound.geometry = mesh.geometry();
-        bound.update = RSH_UPDATE_NEXT;
-        RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
+        bound.update = is_kept ? RSH_UPDATE_FIRST : RSH_UPDATE_NONE;
+        for (const DeviceMesh* frame : frames) {
+            bound.geometry = frame->geometry();
+            RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
+            bound.update = RSH_UPDATE_NEXT;
+        }
     }
 
     Buffer<rsh_ray> rays_;
@@ -189,10 +195,11 @@ SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
         if (count) std::memcpy(items.data(), at, count * sizeof(items[0]));
         at += count * sizeof(items[0]) / sizeof *at;
     };
+    std::memcpy(&made.head, at, sizeof made.head);
+    at += sizeof made.head / sizeof *at;
     take(made.clusters, RSH_CLUSTERS(shape));
     take(made.groups, RSH_GROUPS(shape));
     take(made.order, triangles);
-    std::memcpy(&made.top, words.data() + RSH_TOP_AT(shape), sizeof made.top);
     return made;
 }
 

@@ -63,7 +63,7 @@ struct SceneBoxes {
     std::vector<rsh_cluster> clusters;
     std::vector<rsh_box_group> groups;
     std::vector<uint32_t> order;  // triangle numbers
-    rsh_scene_top top;
+    rsh_bounds_head head;
 };
 SceneBoxes bound_boxes(const DeviceMesh& mesh);
 // The same after each frame: as many triangles in each; all but the first are updates.
@@ -78,11 +78,11 @@ struct TraceOptions {
     cl_uint bound = RSH_BOUND_DEFAULT;  // what the engine prefers
     cl_uint strategy = RSH_STRATEGY_DEFAULT;
     size_t budget = 0;
-    bool own_scratch = false;             // the caller's scratch instead of the context's pool
-    bool own_bounds = false;              // from rsh_bound instead of made in scratch
-    const DeviceMesh* earlier = nullptr;  // own bounds were kept from this one
-    bool converging = false;              // nodes bound the rays from t = 1
-    rsh_context context = nullptr;        // null: the device's
+    bool own_scratch = false;  // the caller's scratch instead of the context's pool
+    bool own_bounds = false;   // from rsh_bound instead of made in scratch
+    std::vector<const DeviceMesh*> earlier = {};  // own bounds were kept over these
+    bool converging = false;                      // nodes bound the rays from t = 1
+    rsh_context context = nullptr;                // null: the device's
 };
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

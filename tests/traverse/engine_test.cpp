@@ -87,7 +87,7 @@ TEST_P(Engine, FindsTheHitsOfBruteForceAfterAnUpdate) {
     const DeviceMesh then(c.mesh), now(moved);
     TraceOptions way;
     way.own_bounds = true;
-    way.earlier = &then;
+    way.earlier = {&then};
     EXPECT_TRUE(test::same_bits(closest_hits(now, c.rays, way),
                                 closest_hits(now, c.rays, brute_force()), "hits"));
 }

@@ -200,7 +200,7 @@ __kernel void rsh_traverse_tiles(rsh_scene_shape scene_shape, __global const flo
     rsh_scene_in scene;
     scene.shape = scene_shape;
     scene.boxes = boxes;
-    scene.top = scene_top_of(&scene.shape, boxes)->groups.end - 1;
+    scene.top = bounds_head_of(boxes)->groups.end - 1;
     scene.clusters = (float)((scene_shape.triangles + 15) / 16);
     rsh_work work;
     work.scene = &scene;

@@ -1,0 +1,155 @@
+// recount_test.cpp - bounds that are kept over frames with other numbers of triangles: whatever an
+// update finds in the buffer, the hits are those of brute force, and nothing outside is touched.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "support/compare.hpp"
+#include "support/render.hpp"
+#include "support/ways.hpp"
+
+namespace {
+
+using test::DeviceMesh;
+using test::Mesh;
+using Counts = std::vector<uint32_t>;
+
+// Back to an earlier number after less, more, or nothing; numbers that differ in few words of the
+// shape, or in none but the number itself.
+std::vector<Counts> recounts() {
+    if (test::small()) return {{33, 17, 33}};
+    return {{64, 32, 64},
+            {1000, 500, 1000},
+            {100, 90, 100},
+            {69451, 34000, 69451},
+            {1, 2, 1},
+            {50, 0, 50},
+            {0, 50, 0, 50},
+            {33, 32, 31, 33},
+            {16, 40, 300, 40, 16},
+            {257, 256, 257, 256},
+            {5000, 4999, 5000, 5001, 5000}};
+}
+
+std::string text_of(const Counts& counts) {
+    std::string text;
+    for (const uint32_t count : counts)
+        text += (text.empty() ? "" : ", ") + std::to_string(count);
+    return text + " triangles";
+}
+
+// The first of the same triangles in each frame, so that their order would serve.
+Mesh first_of(const Mesh& mesh, uint32_t count) {
+    Mesh first;
+    first.vertices.assign(mesh.vertices.begin(), mesh.vertices.begin() + 3 * count);
+    return first;
+}
+
+Mesh soup_for(const Counts& counts, test::Random& random) {
+    const uint32_t most = *std::max_element(counts.begin(), counts.end());
+    return test::random_soup(random, most, most > 10000 ? 0.03f : 0.3f);
+}
+
+TEST(Recount, LeavesTheHitsOfBruteForce) {
+    for (const Counts& counts : recounts()) {
+        SCOPED_TRACE(text_of(counts));
+        test::Random random(60);
+        const Mesh mesh = soup_for(counts, random);
+        const uint32_t side = test::small() ? 12 : 48;
+        const test::Rays rays = test::random_rays(random, side, side);
+        std::vector<const DeviceMesh*> earlier;
+        std::vector<std::unique_ptr<DeviceMesh>> frames;
+        for (const uint32_t count : counts) {
+            frames.push_back(std::make_unique<DeviceMesh>(first_of(mesh, count)));
+            const auto expected = closest_hits(*frames.back(), rays, test::brute_force());
+            for (test::TraceOptions way : test::all_ways()) {
+                way.own_bounds = true;
+                way.earlier = earlier;
+                EXPECT_TRUE(
+                    test::same_bits(closest_hits(*frames.back(), rays, way), expected, "hits"))
+                    << name_of(way) << ", frame " << earlier.size();
+            }
+            earlier.push_back(frames.back().get());
+        }
+    }
+}
+
+rsh_bound_desc bound_desc(const rsh_geometry& geometry, cl_uint bound, cl_uint update) {
+    rsh_bound_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.geometry = geometry;
+    desc.bound = bound;
+    desc.update = update;
+    return desc;
+}
+
+size_t bounds_bytes(const rsh_bound_desc& desc) {
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    RSH_CHECK(rsh_bound_query(test::device().rsh, &desc, &sizes));
+    return sizes.output_bytes;
+}
+
+// Mirrors, so that rays are traced.
+test::Scene mirrors(const Mesh& mesh) {
+    test::Scene scene = test::plain();
+    scene.materials[0].reflection = {{0.5f, 0.5f, 0.5f, 0}};
+    scene.lights[0].casts_shadow = 1;
+    scene.mesh = mesh;
+    scene.material_ids.assign(mesh.triangle_count(), 0);
+    return scene;
+}
+
+// As a renderer does it: the first frame's bounds are made to be kept, those of the others are
+// updates.
+class KeptFrames {
+public:
+    KeptFrames(cl_uint engine, const Mesh& largest)
+        : bounds_(bounds_bytes(bound_desc(DeviceMesh(largest).geometry(),
+                                          rsh_engine_bound(engine), RSH_UPDATE_FIRST))) {
+        options_.engine = engine;
+        options_.bounds = bounds_.get();
+        options_.update = RSH_UPDATE_FIRST;
+    }
+
+    std::vector<cl_float4> render(const test::DeviceScene& scene, test::FrameOptions options) {
+        options.engine = options_.engine;
+        options.bounds = options_.bounds;
+        options.update = options_.update;
+        options_.update = RSH_UPDATE_NEXT;
+        const auto pixels = test::frame(scene, options);
+        EXPECT_TRUE(bounds_.guards_intact());
+        return pixels;
+    }
+
+private:
+    test::Buffer<uint8_t> bounds_;
+    test::FrameOptions options_;
+};
+
+TEST(Recount, LeavesThePixelsOfBruteForce) {
+    test::FrameOptions options;
+    options.width = options.height = test::small() ? 12 : 40;
+    options.bounces = 1;
+    options.engine = RSH_ENGINE_BRUTE_FORCE;
+    for (const Counts& counts : recounts()) {
+        SCOPED_TRACE(text_of(counts));
+        test::Random random(61);
+        const Mesh mesh = soup_for(counts, random);
+        std::map<std::string, KeptFrames> kept;
+        for (cl_uint engine = 1; rsh_engine_name(engine); ++engine)
+            if (engine != RSH_ENGINE_BRUTE_FORCE)
+                kept.try_emplace(rsh_engine_name(engine), engine, mesh);
+        for (const uint32_t count : counts) {
+            const test::DeviceScene scene(mirrors(first_of(mesh, count)));
+            const auto expected = test::frame(scene, options);
+            for (auto& [engine, frames] : kept)
+                EXPECT_TRUE(test::same_bits(frames.render(scene, options), expected, "pixels"))
+                    << engine << ", frame of " << count;
+        }
+    }
+}
+
+}  // namespace
