@@ -51,7 +51,7 @@ run_oclgrind() {
     filter+=':All/Engine.FindsTheHits*/Reflected:All/Engine.FindsTheHits*/Strewn'
     filter+=':All/Box.*/Reflected:All/Traverse.*/InvalidRays*'
     filter+=':Rasterize.EqualsTracingInImagesOfAnyShape:Shade.MatchesWhittedInTheGallery'
-    filter+=':Spawn.Casts*:BoxOrder*:BoxCuts*:BoxTrees*:RayOrder*'
+    filter+=':Spawn.Casts*:BoxOrder*:BoxCuts*:BoxTrees*:RayOrder*:Recount.OfNoise*'
     RSH_TEST_SMALL=1 RSH_CACHE_DIR=$(fresh_cache) \
         timeout 1500 oclgrind --data-races --build-options -cl-opt-disable \
         build/release/tests/rsh_tests --gtest_brief=1 --gtest_filter="$filter" \

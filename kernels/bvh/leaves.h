@@ -83,7 +83,8 @@ static bool load_sound_corners(rsh_mesh mesh, __global const float* vertices,
                                   word_offset(mesh.indices_first_low, mesh.indices_first_high);
     vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
     uint16 vertex[3];
-    int16 is_missing = (int16)(0);
+    int16 is_missing = triangle >= (uint16)(mesh.triangle_count);
+    if (any_lane(is_missing)) return false;
 #pragma unroll
     for (uint i = 0; i < 3; ++i) {
         vertex[i] = mesh.is_indexed ? as_uint16(RSH_GATHER(index + i, words)) : words + i;

@@ -3,7 +3,8 @@
  *   vertices, indices  in      triangles
  *   boxes              in/out  see bvh/layout.h
  *   loose              -       boxes around clusters, by their numbers, then around groups
- * Nothing is done where the order is a new one: bvh/leaves.cl.
+ * Nothing is done where the order is a new one: bvh/leaves.cl. Numbers that the boxes hold are
+ * brought within the scene's shape: a buffer that something else wrote to leads nowhere outside.
  */
 #include "bvh/leaves.h"
 #include "order/types.h"
@@ -40,13 +41,13 @@ static void refit_group(const rsh_scene_shape* shape, uint number, __global floa
     float row[6][16];
     for (uint k = 0; k < 16; ++k) {
         const uint member = below[k];
-        const bool is_there = member != RSH_NO_BOX;
-        __global const rsh_loose_box* of =
-            (member & RSH_IS_CLUSTER ? clusters : around) +
-            (is_there ? RSH_BELOW_NUMBER(member) : 0);
+        const bool is_there = member != RSH_NO_BOX, is_cluster = member & RSH_IS_CLUSTER;
+        const uint last = (is_cluster ? RSH_CLUSTERS(*shape) : RSH_GROUPS(*shape)) - 1;
+        __global const rsh_loose_box* of = (is_cluster ? clusters : around) +
+                                           (is_there ? min(RSH_BELOW_NUMBER(member), last) : 0);
         for (uint f = 0; f < 6; ++f)
             row[f][k] = is_there ? of->side[f] : no_side(f);
-        if (is_there && member & RSH_IS_CLUSTER) below[k] = of->below;
+        if (is_there && is_cluster) below[k] = of->below;
     }
     for (uint f = 0; f < 6; ++f) {
         floatv v[RSH_VECTORS];
@@ -56,6 +57,11 @@ static void refit_group(const rsh_scene_shape* shape, uint number, __global floa
         }
         around[number].side[f] = f < 3 ? smallest_lane(v) : largest_lane(v);
     }
+}
+
+static rsh_group_range within(rsh_group_range range, uint first, uint end)
+{
+    return (rsh_group_range){max(range.first, first), min(range.end, end)};
 }
 
 /* A work-item takes the clusters of a part, and its groups. */
@@ -68,8 +74,9 @@ __kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
     const uint me = get_global_id(0);
     if (me >= shape.parts || sorting->is_needed) return;
     const rsh_part_counts counts = part_counts(&shape, boxes)[me];
-    const uint first = me * shape.part_clusters;
-    for (uint c = first; c < first + counts.clusters; ++c) {
+    const uint first = me * shape.part_clusters, first_group = me * shape.part_groups;
+    const uint end = first + min(counts.clusters, shape.part_clusters);
+    for (uint c = first; c < end; ++c) {
         rsh_loose_box around;
         expect_stores(boxes + cluster_at(c + RSH_AHEAD));
         const bool is_scaled =
@@ -77,7 +84,9 @@ __kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
         around.below = below_cluster(c, is_scaled);
         loose[c] = around;
     }
-    for (uint g = counts.groups.first; g < counts.groups.end; ++g)
+    const rsh_group_range groups =
+        within(counts.groups, first_group, first_group + shape.part_groups);
+    for (uint g = groups.first; g < groups.end; ++g)
         refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
 }
 
@@ -87,7 +96,8 @@ __kernel void rsh_refit_groups(rsh_scene_shape scene_shape, __global const rsh_s
 {
     if (get_global_id(0) != 0 || sorting->is_needed) return;
     const rsh_scene_shape shape = scene_shape;
-    const rsh_group_range groups = bounds_head(boxes)->groups;
+    const rsh_group_range groups =
+        within(bounds_head(boxes)->groups, first_upper_group(&shape), RSH_GROUPS(shape));
     for (uint g = groups.first; g < groups.end; ++g)
         refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
 }

@@ -152,4 +152,40 @@ TEST(Recount, LeavesThePixelsOfBruteForce) {
     }
 }
 
+// Words from `first` to `end` of bounds that were made in order become noise; then an update.
+void expect_update_within_buffers(const DeviceMesh& mesh, test::Random& random, size_t first,
+                                  size_t end) {
+    rsh_bound_desc desc = bound_desc(mesh.geometry(), RSH_BOUND_BOX, RSH_UPDATE_FIRST);
+    const test::Buffer<uint32_t> bounds(bounds_bytes(desc) / 4);
+    desc.bounds = bounds.get();
+    RSH_CHECK(
+        rsh_bound(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
+    std::vector<uint32_t> words = bounds.read();
+    for (size_t i = first; i < end; ++i) words[i] = uint32_t(random.bits());
+    bounds.write(words);
+    desc.update = RSH_UPDATE_NEXT;
+    RSH_CHECK(
+        rsh_bound(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
+    test::device().queue.finish();
+    EXPECT_TRUE(bounds.guards_intact());
+}
+
+// With the head in order, the rest is believed to be bounds; numbers in it still lead nowhere
+// else.
+TEST(Recount, OfNoiseStaysWithinItsBuffers) {
+    for (const uint32_t count : {1u, 40u, 3000u}) {
+        if (test::small() && count > 40) continue;
+        SCOPED_TRACE(std::to_string(count) + " triangles");
+        test::Random random(62);
+        const DeviceMesh mesh(test::random_soup(random, count));
+        const rsh_scene_shape shape = rsh::scene_shape(count);
+        const size_t head = sizeof(rsh_bounds_head) / 4, order = RSH_ORDER_AT(shape);
+        expect_update_within_buffers(mesh, random, head - 9, order); /* the head's groups too */
+        expect_update_within_buffers(mesh, random, order, RSH_SURVEYS_AT(shape));
+        expect_update_within_buffers(mesh, random, RSH_COUNTS_AT(shape),
+                                     RSH_BOUND_WORDS(shape));
+        expect_update_within_buffers(mesh, random, 0, RSH_BOUND_WORDS(shape));
+    }
+}
+
 }  // namespace
