@@ -291,10 +291,8 @@ enum {
     RSH_BOUND_DEFAULT = 0, /* box */
     RSH_BOUND_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
                               around the triangles                                            */
-    RSH_BOUND_BOX = 2,     /* a box of origins and a box of directions, against boxes around
+    RSH_BOUND_BOX = 2      /* a box of origins and a box of directions, against boxes around
                               triangles and around clusters of them                           */
-    RSH_BOUND_CONE_FITTED = 3 /* as cone, but each node is fitted to all its rays instead of to
-                              its four children, and angles up to 120 degrees are of use      */
 };
 
 /* What the bounds of a scene hold before, and are for. Hits are the same. */
@@ -312,11 +310,11 @@ typedef struct rsh_bound_desc {
     rsh_geometry geometry;
     cl_uint bound; /* RSH_BOUND_... */
     cl_mem bounds; /* out, with `update` in/out: rsh_sizes.output_bytes.
-                      cone, cone_fitted: triangle_count x float4, centre and radius [world];
+                      cone: triangle_count x float4, centre and radius [world];
                             radius -1: the triangle is never hit.
                       box:  triangles in clusters, and boxes around these, for rsh_traverse   */
     cl_mem scratch; /* box */
-    cl_uint update; /* box: RSH_UPDATE_...; cone, cone_fitted: changes nothing */
+    cl_uint update; /* box: RSH_UPDATE_...; cone: changes nothing */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
@@ -331,7 +329,7 @@ typedef struct rsh_bound_desc {
  *          fifths of the time. An order is worn where its boxes, at up to 320 places, have 1.2
  *          times the surface that they had, against that of their triangles; then it is made
  *          anew in the same call. The device decides.
- * Cost:    linear in the triangles. output_bytes of the query: cones 16, box about 55 per
+ * Cost:    linear in the triangles. output_bytes of the query: cone 16, box about 55 per
  *          triangle; scratch_bytes: box about 9, 14 with RSH_UPDATE_FIRST and _NEXT. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
@@ -347,7 +345,7 @@ typedef struct rsh_build_desc {
     cl_uint width;    /* rays in screen order, row by row; a list of `width` rays: height 1 */
     cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
     cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad (cone),
-                         rsh_node_group (box), rsh_cone_group (cone_fitted)                   */
+                         rsh_node_group (box)                                                 */
     cl_uint converging; /* 1: the rays run towards one point, where t = 1, as shadow rays of a
                          point light do; then nodes bound them from there, backwards, which
                          leaves far fewer pairs. Rays with tmax above 1 are found all the same,
@@ -366,9 +364,7 @@ RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* de
  *          sorted by direction and origin where rays that follow each other are no neighbours;
  *          the rays themselves and their answers stay where they are.
  * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes,
- *          for a list 8 launches, 7.5 bytes and about 10 of scratch; cone_fitted: 1 + 2
- *          launches per level above the tiles of 256 rays, each of which reads all rays again;
- *          2.2 bytes. */
+ *          for a list 8 launches, 7.5 bytes and about 10 of scratch. */
 RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
                              const rsh_build_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -386,7 +382,7 @@ enum {
                                       back and stops behind its last hit; bound: box          */
     RSH_ENGINE_PAPER = 4           /* as paper_faithful, tuned: 16 children at a time, a run of
                                       triangles per node, survivors counted before they are
-                                      written; bound: box or cone_fitted                      */
+                                      written; bound: box                                     */
 };
 
 /* How to reduce a stream; see rsh_reduce. */

@@ -72,9 +72,7 @@ RSH_ASSERT_SIZE(rsh_hit, 16);
  * box:  fan 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
  *       one rsh_node_group, number index. Behind those of a list lie a word per ray and one
  *       more. If that is 1, the list is sorted: the words are the rays in their order, and
- *       children mean places in it.
- * cone_fitted: fan 4, level `count` is the root; the children at level l >= 1 of a node of
- *       level l + 1 are one rsh_cone_group, number first_quad[l] + index; rays have none. */
+ *       children mean places in it. */
 typedef struct rsh_levels {
     rsh_uint count;
     rsh_uint is_list; /* 1: every level has height 1, children in a row */

@@ -17,23 +17,14 @@ static uint child_of(const rsh_levels* levels, uint level, uint parent, uint k)
     return x < width && y < levels->height[level] ? y * width + x : RSH_NO_NODE;
 }
 
-typedef struct rsh_place {
-    uint parent; /* of level + 1 */
-    uint lane;   /* which of its children */
-} rsh_place;
-
-/* Where node `above` of `level` lies that holds a node of level `from`; level >= from. Worked
- * example, a grid: column 13 at level 2 is column 3 at level 3: child 3 of column 0. */
-static rsh_place place_of(const rsh_levels* levels, uint from, uint node, uint level)
+/* Index, at `level`, of the node that holds node `node` of level `from`; level >= from. Worked
+ * example, a grid: column 13 at level 2 is column 3 at level 3. */
+static uint ancestor_of(const rsh_levels* levels, uint from, uint node, uint level)
 {
-    if (levels->is_list) {
-        const uint above = node >> 4 * (level - from);
-        return (rsh_place){above >> 4, above & 15};
-    }
+    if (levels->is_list) return node >> 4 * (level - from);
     const uint x = node % levels->width[from] >> 2 * (level - from);
     const uint y = node / levels->width[from] >> 2 * (level - from);
-    return (rsh_place){(y >> 2) * levels->width[level + 1] + (x >> 2),
-                       4 * (y & 3) + (x & 3)};
+    return y * levels->width[level] + x;
 }
 
 #endif

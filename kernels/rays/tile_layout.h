@@ -22,13 +22,12 @@ static ulong order_behind(rsh_levels shape)
     return RSH_RAY_ORDER_AT((ulong)tile_count(shape));
 }
 
-/* nodes: of the bound `box`; 0: places are rays. */
 static rsh_tile tile_at(rsh_levels shape, __global const uint* nodes, uint tile)
 {
     if (shape.is_list) {
         const uint count = shape.width[0];
-        __global const uint* order = nodes ? nodes + order_behind(shape) : 0;
-        return (rsh_tile){count, 0, 256 * tile, 0, order && order[count] ? order : 0};
+        __global const uint* order = nodes + order_behind(shape);
+        return (rsh_tile){count, 0, 256 * tile, 0, order[count] ? order : 0};
     }
     const uint columns = shape.width[2];
     return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16,

@@ -27,19 +27,6 @@ typedef struct rsh_node_group {
 } rsh_node_group;
 RSH_ASSERT_SIZE(rsh_node_group, 896);
 
-/* Sixteen sibling nodes of the bound `cone_fitted`, each fitted to all its rays. [axis][node].
- *   apex, radius  the sphere that the rays start in [world]; radius negative: no active ray
- *   axis          unit axis of the cone that they leave in
- *   spread        of its half-angle a: sin a up to 90 degrees, 2 - sin a beyond; 2: the cone is
- *                 the whole space of directions */
-typedef struct rsh_cone_group {
-    rsh_float apex[3][16];
-    rsh_float radius[16];
-    rsh_float axis[3][16];
-    rsh_float spread[16];
-} rsh_cone_group;
-RSH_ASSERT_SIZE(rsh_cone_group, 512);
-
 /* Words before the order of a list's rays in its nodes; see rsh_levels. */
 #define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
 

@@ -1,7 +1,6 @@
 #include "device/error.hpp"
 #include "rays/box.hpp"
 #include "rays/cone.hpp"
-#include "rays/cone_fitted.hpp"
 
 namespace rsh {
 
@@ -9,8 +8,7 @@ namespace rsh {
 const std::vector<const Bound*>& bounds() {
     static const Box box;
     static const Cone cone;
-    static const ConeFitted cone_fitted;
-    static const std::vector<const Bound*> all = {&box, &cone, &cone_fitted};
+    static const std::vector<const Bound*> all = {&box, &cone};
     return all;
 }
 

@@ -38,27 +38,6 @@ bool points_inside(const Node& node, const rsh_ray& ray) {
            dot(across, across) <= sine * sine * dot(axis, axis) * dot(d, d);
 }
 
-FittedNode child_of(const rsh_cone_group& g, uint32_t k) {
-    return {{g.apex[0][k], g.apex[1][k], g.apex[2][k]},
-            g.radius[k],
-            {g.axis[0][k], g.axis[1][k], g.axis[2][k]},
-            g.spread[k]};
-}
-
-// Beyond 90 degrees, angle <= a  <=>  cos >= 0 or |axis x d| >= sin a |axis| |d|.
-bool contains(const FittedNode& node, Long3 start, test::Float3 direction) {
-    if (!(node.radius >= 0) || !within(Long3(node.apex), node.radius, start)) return false;
-    if (node.spread == 2) return true;
-    const Long3 axis(node.axis), d(direction);
-    const Long3 across = cross(axis, d);
-    const bool is_wide = node.spread > 1, is_ahead = dot(axis, d) >= 0;
-    if (is_wide && is_ahead) return true;
-    const long double sine = is_wide ? 2 - (long double)(node.spread) : node.spread;
-    const long double left = dot(across, across);
-    const long double right = sine * sine * dot(axis, axis) * dot(d, d);
-    return is_wide ? left >= right : is_ahead && dot(axis, axis) > 0 && left <= right;
-}
-
 BoxNode child_of(const rsh_node_group& g, uint32_t k) {
     const auto corner = [k](const float rows[3][16]) {
         return test::Float3(rows[0][k], rows[1][k], rows[2][k]);

@@ -22,18 +22,6 @@ Node child_of(const rsh_node_quad& quad, uint32_t k);
 bool starts_inside(const Node& node, const rsh_ray& ray);
 bool points_inside(const Node& node, const rsh_ray& ray);
 
-// A node of the bound `cone_fitted`; spread as rsh_cone_group has it.
-struct FittedNode {
-    test::Float3 apex;
-    float radius;
-    test::Float3 axis;
-    float spread;
-};
-FittedNode child_of(const rsh_cone_group& group, uint32_t k);
-
-// The ray, from a point that need not be a float, along `direction`.
-bool contains(const FittedNode& node, test::Long3 start, test::Float3 direction);
-
 // A node of the bound `box`.
 struct BoxNode {
     test::Float3 origin_low, origin_high, direction_low, direction_high;

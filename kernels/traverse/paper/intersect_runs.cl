@@ -11,25 +11,6 @@
 #include "bvh/layout.h"
 #include "traverse/paper/siblings.h"
 
-/* Only those of the bound `box` have an order of rays. */
-static rsh_tile run_tile(rsh_levels shape, __global const float* nodes, uint tile)
-{
-#if RSH_FITTED
-    return tile_at(shape, 0, tile);
-#else
-    return tile_at(shape, (__global const uint*)nodes, tile);
-#endif
-}
-
-static __global const float* clusters_in(__global const float* bounds)
-{
-#if RSH_FITTED
-    return 0;
-#else
-    return bounds;
-#endif
-}
-
 __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global rsh_hit* hits)
 {
     const uint i = get_global_id(0);
@@ -51,8 +32,8 @@ __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
     if (me >= tile_count(shape)) return;
     const rsh_levels levels = shape;
     const rsh_run_target target = {mesh, vertices,  indices,       rays,
-                                   hits, occlusion, occlusion_bit, clusters_in(bounds)};
-    const rsh_tile tile = run_tile(shape, nodes, me);
+                                   hits, occlusion, occlusion_bit, bounds};
+    const rsh_tile tile = tile_at(shape, (__global const uint*)nodes, me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
         if (node == RSH_NO_NODE || runs[node].y == 0) continue;
@@ -105,15 +86,13 @@ __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
     const rsh_levels levels = shape;
-    const uint level = step.level + 1;
-    const uint ancestor =
-        level == 2 ? me : place_of(&levels, 2, me, level - 1).parent;
+    const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;
     const rsh_run run = run_of(step, runs, ancestor);
     const rsh_run_target target = {
         mesh, vertices,  indices,       rays,
-        hits, occlusion, occlusion_bit, clusters_in(bounds)};
-    const rsh_tile tile = run_tile(shape, groups, me);
+        hits, occlusion, occlusion_bit, bounds};
+    const rsh_tile tile = tile_at(shape, (__global const uint*)groups, me);
     rsh_siblings blocks;
     load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);
     rsh_gathered gathered;

@@ -13,8 +13,8 @@ typedef struct rsh_run_target {
     __global const rsh_ray* rays;
     __global rsh_hit* hits;
     __global uint* occlusion;
-    uint occlusion_bit;            /* as a mask; 0: closest hits are wanted */
-    __global const float* clusters; /* runs name places in these; 0: they name triangles */
+    uint occlusion_bit;           /* as a mask; 0: closest hits are wanted */
+    __global const float* bounds; /* runs name places in their clusters */
 } rsh_run_target;
 
 static void load_run_block(const rsh_run_target* target, rsh_tile tile, uint b,
@@ -36,8 +36,7 @@ static void load_run_block(const rsh_run_target* target, rsh_tile tile, uint b,
 /* True if a ray has a closer hit now. */
 static bool offer_triangle(const rsh_run_target* target, rsh_block* block, uint place)
 {
-    const uint triangle =
-        target->clusters ? triangle_in_place(target->clusters, place) : place;
+    const uint triangle = triangle_in_place(target->bounds, place);
     if (triangle == RSH_NO_HIT) return false;
     rsh_corners corners;
     fetch_corners(&corners, target->mesh, target->vertices, target->indices, triangle);

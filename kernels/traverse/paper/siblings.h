@@ -1,35 +1,10 @@
-/* siblings.h - 16 nodes with a common parent against one triangle, for either bound: boxes, or
- * with RSH_FITTED the cones of rays/cone_fitted.h. */
+/* siblings.h - 16 nodes with a common parent against one triangle. */
 #ifndef RSH_TRAVERSE_PAPER_SIBLINGS_H
 #define RSH_TRAVERSE_PAPER_SIBLINGS_H
 
-/* Here rather than behind a condition: a header is only ever expanded in one place. */
-#include "rays/box_node.h"
 #include "bvh/layout.h"
+#include "rays/box_node.h"
 
-#ifndef RSH_FITTED
-#define RSH_FITTED 0
-#endif
-
-#if RSH_FITTED
-#include "rays/cone_fitted.h"
-
-#define RSH_GROUP_FLOATS (16 * RSH_CONE_ROWS)
-typedef rsh_cones rsh_siblings;
-
-static void load_siblings(rsh_siblings* nodes, __global const float* group)
-{
-    set_cones(nodes, group);
-}
-
-/* bounds: a sphere per triangle. */
-static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bounds,
-                             uint triangle)
-{
-    return cones_meeting(nodes, vload4(triangle, bounds));
-}
-
-#else
 #define RSH_GROUP_FLOATS 224 /* of rsh_node_group */
 typedef struct rsh_siblings {
     rsh_bundles bundles;
@@ -77,5 +52,4 @@ static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bo
     return bundles_meeting(&nodes->bundles, &nodes->common, low, high);
 }
 
-#endif
 #endif

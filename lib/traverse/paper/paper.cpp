@@ -31,11 +31,9 @@ cl_uint pieces_of(const Context& context, const rsh_levels& levels, cl_uint leve
     return std::clamp(wanted / parents, 1u, kMaxPieces);
 }
 
-// What runs name: places in the clusters of `box`, some of them empty, or triangles.
+// What runs name: places in the clusters, some of them empty.
 cl_uint names_of(const rsh_traverse_desc& desc) {
-    const cl_uint triangles = desc.geometry.triangle_count;
-    if (find_bound(desc.bound).id() != RSH_BOUND_BOX) return triangles;
-    return 16 * RSH_CLUSTERS(scene_shape(triangles));
+    return 16 * RSH_CLUSTERS(scene_shape(desc.geometry.triangle_count));
 }
 
 // Triangles that a level can hold; never more than the scene can make.
@@ -91,7 +89,6 @@ public:
         : recorder_(recorder),
           desc_(desc),
           shape_(group_levels(desc.width, desc.height)),
-          is_box_(find_bound(desc.bound).id() == RSH_BOUND_BOX),
           scratch_(recorder, layout, desc.scratch),
           streams_{capacity_of(desc, shape_), {scratch_["even levels"], scratch_["odd levels"]},
                    scratch_["runs"],          scratch_["masks"],
@@ -102,7 +99,7 @@ public:
 
     void run() {
         clear_run_hits(recorder_, desc_);
-        if (is_box_) join_boxes(recorder_, shape_, desc_.nodes, scratch_["nodes"]);
+        join_boxes(recorder_, shape_, desc_.nodes, scratch_["nodes"]);
         const cl_uint total = names_of(desc_);
         const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
         for (cl_uint first = 0; first < total; first += size) {
@@ -134,7 +131,7 @@ private:
     }
 
     RunLevel level_of(cl_uint level, cl_uint first, cl_uint count) {
-        const bool is_upper = is_box_ && level > 1;
+        const bool is_upper = level > 1;
         rsh_run_step step = {};
         step.level = level;
         step.parents = nodes_of(shape_, level + 1);
@@ -153,7 +150,6 @@ private:
     Recorder& recorder_;
     rsh_traverse_desc desc_;
     rsh_levels shape_;
-    bool is_box_;
     Scratch scratch_;
     RunStreams streams_;
 };
@@ -176,9 +172,8 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
     layout.add_array<cl_uint16>("counts", pieces);
     layout.add_array<cl_uint>("sums", pieces + 1);
     layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
-    if (find_bound(desc.bound).id() == RSH_BOUND_BOX)
-        layout.add_array<rsh_node_group>("nodes",
-                                         shape.first_quad[shape.count] - shape.first_quad[2]);
+    layout.add_array<rsh_node_group>("nodes",
+                                     shape.first_quad[shape.count] - shape.first_quad[2]);
     reserve_bounds(layout, context, desc, bounds);
     return layout;
 }

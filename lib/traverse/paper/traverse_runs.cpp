@@ -9,8 +9,8 @@
 namespace rsh {
 namespace {
 
-KernelName kernel_for(const rsh_traverse_desc& desc, const char* kernel) {
-    return paper_kernel(find_bound(desc.bound).id(), kernel);
+KernelName paper_kernel(const char* kernel) {
+    return {"programs/paper", kernel};
 }
 
 cl_mem parents_of(const RunLevel& level, const RunStreams& streams) {
@@ -18,12 +18,11 @@ cl_mem parents_of(const RunLevel& level, const RunStreams& streams) {
 }
 
 // Pieces to the places where their children begin, and behind them the number of all.
-void scan_sums(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_run_step& step,
-               const RunStreams& streams) {
+void scan_sums(Recorder& recorder, const rsh_run_step& step, const RunStreams& streams) {
     const size_t group = recorder.context().caps.group_size;
     const cl_uint pieces = step.parents * step.pieces;
-    recorder.launch(RSH_STAGE_REDUCE, kernel_for(desc, "rsh_reduce_scan_counts"),
-                    {group, group}, streams.sums, pieces, streams.sums, pieces,
+    recorder.launch(RSH_STAGE_REDUCE, paper_kernel("rsh_reduce_scan_counts"), {group, group},
+                    streams.sums, pieces, streams.sums, pieces,
                     cl::Local(group * sizeof(cl_uint)));
 }
 
@@ -33,23 +32,18 @@ Range pieces_range(Recorder& recorder, const rsh_run_step& step) {
 
 }  // namespace
 
-KernelName paper_kernel(cl_uint bound, const char* kernel) {
-    return {"programs/paper", kernel,
-            bound == RSH_BOUND_CONE_FITTED ? "-D RSH_FITTED=1" : "-D RSH_FITTED=0"};
-}
-
 void count_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
                 const RunStreams& streams) {
-    recorder.launch(RSH_STAGE_TEST, kernel_for(desc, "rsh_count_runs"),
+    recorder.launch(RSH_STAGE_TEST, paper_kernel("rsh_count_runs"),
                     pieces_range(recorder, level.step), level.step, desc.bounds, level.groups,
                     parents_of(level, streams), streams.runs, streams.masks, streams.counts,
                     streams.sums);
-    scan_sums(recorder, desc, level.step, streams);
+    scan_sums(recorder, level.step, streams);
 }
 
 void emit_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
                const RunStreams& streams) {
-    recorder.launch(RSH_STAGE_REDUCE, kernel_for(desc, "rsh_emit_runs"),
+    recorder.launch(RSH_STAGE_REDUCE, paper_kernel("rsh_emit_runs"),
                     pieces_range(recorder, level.step), level.shape, level.step,
                     parents_of(level, streams), streams.masks, streams.counts, streams.sums,
                     streams.triangles[level.step.level % 2], streams.runs, streams.tally);
@@ -58,7 +52,7 @@ void emit_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel
 void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
                  const RunStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_finish_runs"),
+    recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_finish_runs"),
                     recorder.serial_range(node_count(level.shape, 2)), level.shape, level.step,
                     mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays,
                     desc.bounds, desc.nodes, parents_of(level, streams), streams.runs,
@@ -69,14 +63,14 @@ void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLev
 void clear_run_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
     if (desc.query == RSH_QUERY_ANY) return;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
-    recorder.launch(RSH_STAGE_OTHER, kernel_for(desc, "rsh_clear_hits"), recorder.range(rays),
+    recorder.launch(RSH_STAGE_OTHER, paper_kernel("rsh_clear_hits"), recorder.range(rays),
                     desc.rays, rays, desc.hits);
 }
 
 void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& shape,
                     const RunStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_INTERSECT, kernel_for(desc, "rsh_intersect_runs"),
+    recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_runs"),
                     recorder.serial_range(node_count(shape, 2)), shape, mesh_of(geometry),
                     geometry.vertices, geometry.indices, desc.rays, desc.bounds, desc.nodes,
                     streams.triangles[1], streams.runs, desc.hits, desc.occlusion,
@@ -86,7 +80,7 @@ void intersect_runs(Recorder& recorder, const rsh_traverse_desc& desc, const rsh
 void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper) {
     const cl_uint first = shape.first_quad[2];
     for (cl_uint level = 2; level < shape.count; ++level)
-        recorder.launch(RSH_STAGE_BUILD, paper_kernel(RSH_BOUND_BOX, "rsh_join_boxes"),
+        recorder.launch(RSH_STAGE_BUILD, paper_kernel("rsh_join_boxes"),
                         recorder.serial_range(node_count(shape, level + 1)), shape, level,
                         level == 2 ? tiles : upper,
                         level == 2 ? cl_uint{0} : shape.first_quad[level - 1] - first, upper,

@@ -7,9 +7,6 @@
 
 namespace rsh {
 
-// A kernel of program_paper, for the bound of the nodes.
-KernelName paper_kernel(cl_uint bound, const char* kernel);
-
 // The pair stream of one traversal: per node a run of triangles.
 struct RunStreams {
     cl_uint capacity;     // triangles of a level
