@@ -3,22 +3,25 @@
  *   spheres            out  centre, radius; radius -1: never hit
  * Any centre would do: the radius is measured from the stored one. Does not look at rays.
  */
-#include "mesh/triangles.h"
+#include "mesh/algebra.h"
 
 /* Centre of the smallest sphere: the middle of the longest edge unless all angles are acute. */
 static float3 sphere_centre(rsh_triangle p)
 {
-    const float3 ab = p.v1 - p.v0, ac = p.v2 - p.v0, bc = p.v2 - p.v1;
+    const float size = fmax(largest3(fabs(p.v1 - p.v0)), largest3(fabs(p.v2 - p.v0)));
+    const float scale = scale_to_one(size);
+    const float3 ab = scale * (p.v1 - p.v0), ac = scale * (p.v2 - p.v0),
+                 bc = scale * (p.v2 - p.v1);
     if (dot(ab, ac) <= 0.0f) return 0.5f * p.v1 + 0.5f * p.v2;
     if (dot(-ab, bc) <= 0.0f) return 0.5f * p.v0 + 0.5f * p.v2;
     if (dot(ac, bc) <= 0.0f) return 0.5f * p.v0 + 0.5f * p.v1;
     const float3 normal = cross(ab, ac);
     const float3 towards = dot(ac, ac) * cross(normal, ab) + dot(ab, ab) * cross(ac, normal);
-    const float3 centre = p.v0 + towards / (2.0f * dot(normal, normal));
-    const float3 middle = 0.5f * p.v0 + 0.5f * p.v1;
-    /* Slivers and extreme scales: the circumcentre is noise, or not finite. */
-    if (!(safe_length(centre - p.v0) <= safe_length(ab) + safe_length(ac))) return middle;
-    return centre;
+    const float3 to_centre = towards / (2.0f * dot(normal, normal));
+    /* Slivers: the circumcentre is noise, or not finite. */
+    if (!(safe_length(to_centre) <= safe_length(ab) + safe_length(ac)))
+        return 0.5f * p.v0 + 0.5f * p.v1;
+    return p.v0 + to_centre / scale;
 }
 
 /* Relative error of a length: u for the subtraction, below 2^-20 for safe_length; 2^-124 covers

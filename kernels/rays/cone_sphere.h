@@ -16,8 +16,15 @@
  * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down
  * to cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that mesh/intersect.h reports
  * can lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S) is 128u.
- * Underflow and rounding are monotonic and cannot turn the comparison round; what overflows or
- * is NaN is kept.
+ *
+ * Underflow: squares of what is below 1e-19 lose their bits, below 1e-23 all of them. So w and S
+ * are first scaled by the power of two, hence exactly, that brings the largest of them to 1 .. 2.
+ * Where a hit is possible, the rest of the padding then leaves
+ *    z sin a + S - q cos a >= 46u, and so  (z sin a + S)^2 - (q cos a)^2 >= (46u)^2 > 2^-37,
+ * the same of S and |w|, while a product loses at most 2^-126, whether a device flushes it to
+ * zero or not. The differences themselves are not scaled yet: 2^-124 in each sphere's radius
+ * (bvh/spheres.cl) makes up for the 2^-126 that each of them may lose. What is infinite, NaN, or above
+ * 2^127 is kept.
  */
 #ifndef RSH_RAYS_CONE_SPHERE_H
 #define RSH_RAYS_CONE_SPHERE_H
@@ -33,9 +40,15 @@
     } name##_lanes;                                                                           \
     static I name(const name##_lanes* l)                                                      \
     {                                                                                         \
-        const F wx = l->centre_x - l->apex_x;                                                 \
-        const F wy = l->centre_y - l->apex_y;                                                 \
-        const F wz = l->centre_z - l->apex_z;                                                 \
+        const F far_x = l->centre_x - l->apex_x;                                              \
+        const F far_y = l->centre_y - l->apex_y;                                              \
+        const F far_z = l->centre_z - l->apex_z;                                              \
+        const F radii = l->radius + l->centre_radius;                                         \
+        const F size =                                                                        \
+            fmax(fmax(fabs(far_x), fabs(far_y)), fmax(fabs(far_z), radii));                   \
+        const F scale = as_##F(0x7f000000 - (as_##I(size) & 0x7f800000));                     \
+        const F wx = scale * far_x, wy = scale * far_y, wz = scale * far_z;                   \
+        const F sum = scale * radii;                                                          \
         const F z = wx * l->axis_x + wy * l->axis_y + wz * l->axis_z;                         \
         const F nx = wy * l->axis_z - wz * l->axis_y;                                         \
         const F ny = wz * l->axis_x - wx * l->axis_z;                                         \
@@ -44,7 +57,6 @@
         const F z2 = z * z;                                                                   \
         const F sine2 = l->sine * l->sine;                                                    \
         const F cosine2 = 1.0f - sine2;                                                       \
-        const F sum = l->radius + l->centre_radius;                                           \
         const F reach = sum + 0x1p-17f * (fabs(wx) + fabs(wy) + fabs(wz) + sum);              \
         const F side = z * l->sine + reach;                                                   \
         const I is_behind = (z < 0.0f) & (q2 * sine2 < z2 * cosine2);                         \

@@ -31,8 +31,8 @@ typedef struct rsh_surface {
 } rsh_surface;
 
 /* Normal of a triangle with counter-clockwise corners, within a few ulp also for slivers: the
- * rounding of the edges, which the cross product would magnify, is put back to first order.
- * Edges are scaled by a power of two: products neither overflow nor vanish. 0: no area. */
+ * rounding of the edges, which the cross product would magnify, is put back to first order. 0:
+ * no area. */
 static float3 triangle_normal(rsh_triangle p)
 {
     float3 rest1, rest2;
@@ -40,7 +40,7 @@ static float3 triangle_normal(rsh_triangle p)
     const float3 edge2 = exact_difference(p.v2, p.v0, &rest2);
     const float size = fmax(largest3(fabs(edge1)), largest3(fabs(edge2)));
     if (!(size > 0.0f) || isinf(size)) return (float3)(0.0f);
-    const float scale = ldexp(1.0f, clamp(-ilogb(size), -125, 126));
+    const float scale = scale_to_one(size);
     const float3 a = scale * edge1, b = scale * edge2;
     return unit3(cross3(a, b) + (cross3(scale * rest1, b) + cross3(a, scale * rest2)));
 }

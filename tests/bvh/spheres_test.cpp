@@ -53,6 +53,20 @@ TEST_P(Bound, IsNotMuchLargerThanItsTriangle) {
 
 INSTANTIATE_TEST_SUITE_P(All, Bound, ::testing::ValuesIn(test::all_cases()), test::case_name);
 
+// Exactly, where the 2^-124 that each radius is given does not count.
+TEST(BoundScale, ByPowersOfTwoScalesTheSpheres) {
+    test::Random random(7);
+    const test::Mesh mesh = test::random_soup(random, 300);
+    const auto expected = test::bound(test::DeviceMesh(mesh));
+    for (const int exponent : {-90, -60, 50, 90}) {
+        const float scale = std::ldexp(1.0f, exponent);
+        auto spheres = test::bound(test::DeviceMesh(scaled(mesh, scale)));
+        for (cl_float4& sphere : spheres)
+            for (float& component : sphere.s) component = std::ldexp(component, -exponent);
+        EXPECT_TRUE(test::same_bits(spheres, expected, "spheres")) << "scale 2^" << exponent;
+    }
+}
+
 TEST(BoundLayout, ReadsOffsetsAndStrides) {
     test::Random random(6);
     const test::Mesh mesh = test::random_soup(random, 300);
