@@ -117,7 +117,7 @@ private:
         for (cl_uint level = shape_.count; level-- > 1;) {
             const RunLevel step = level_of(level, first, count);
             count_runs(recorder_, desc_, step, streams_);
-            emit_runs(recorder_, desc_, step, streams_);
+            emit_runs(recorder_, step, streams_);
             if (can_overflow(shape_, level, count, streams_.capacity))
                 finish_runs(recorder_, desc_, step, streams_);
         }

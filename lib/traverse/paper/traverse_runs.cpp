@@ -41,8 +41,7 @@ void count_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLeve
     scan_sums(recorder, level.step, streams);
 }
 
-void emit_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
-               const RunStreams& streams) {
+void emit_runs(Recorder& recorder, const RunLevel& level, const RunStreams& streams) {
     recorder.launch(RSH_STAGE_REDUCE, paper_kernel("rsh_emit_runs"),
                     pieces_range(recorder, level.step), level.shape, level.step,
                     parents_of(level, streams), streams.masks, streams.counts, streams.sums,

@@ -26,8 +26,7 @@ struct RunLevel {
 // The children at level.step.level of the parents above: counted, then written.
 void count_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
                 const RunStreams& streams);
-void emit_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
-               const RunStreams& streams);
+void emit_runs(Recorder& recorder, const RunLevel& level, const RunStreams& streams);
 // Parents whose children do not fit, down to the hits. After the other two.
 void finish_runs(Recorder& recorder, const rsh_traverse_desc& desc, const RunLevel& level,
                  const RunStreams& streams);
