@@ -1,99 +1,107 @@
-// mtl_file.cpp - lines -> terms -> materials. Reads no image.
+// mtl_file.cpp - lines, spelled plainly -> terms of tinyobjloader -> materials. Reads no image.
 #include "import/mtl_file.hpp"
 
+#include <tiny_obj_loader.h>
+
 #include <algorithm>
-#include <optional>
+#include <istream>
 
 #include "files/asset.hpp"
 #include "files/text_scan.hpp"
+#include "import/line_feed.hpp"
 
 namespace render {
 namespace {
 
-struct MtlTerms {
-    Material material;
-    std::optional<glm::vec3> filter;         // Tf
-    std::optional<float> dissolve, opacity;  // d, and 1 - Tr
-    float ni = 1.0f;
-    int illum = 2;
-};
+// What counts where a material says nothing else. A negative Tf stands for none.
+constexpr const char* kDefaults = "\nKd 0.8 0.8 0.8\nTf -1 -1 -1\nillum 2";
 
-// Options of a map statement with their number of arguments at most; others have one.
-constexpr const char* kThreeNumbers[] = {"-o", "-s", "-t"};
-
-std::optional<float> take_float(std::string_view& line) {
-    std::string_view peek = line;
-    const auto value = parse_number(take_token(peek));
-    if (!value) return std::nullopt;
-    line = peek;
-    return static_cast<float>(*value);
-}
-
-// One number is a grey.
-void read_colour(std::string_view line, glm::vec3& colour) {
-    const auto r = take_float(line);
-    if (!r) return;
-    const auto g = take_float(line);
-    const auto b = take_float(line);
-    colour = {*r, g.value_or(*r), b.value_or(*r)};
+// Up to `most` numbers at the start of `text`.
+std::vector<std::string_view> take_numbers(std::string_view& text, size_t most) {
+    std::vector<std::string_view> numbers;
+    while (numbers.size() < most) {
+        std::string_view rest = text;
+        const std::string_view word = take_token(rest);
+        if (!parse_number(word)) break;
+        numbers.push_back(word);
+        text = rest;
+    }
+    return numbers;
 }
 
 // What follows the options, which may hold blanks.
 std::string texture_name(std::string_view line) {
     for (line = trimmed(line); !line.empty() && line[0] == '-'; line = trimmed(line)) {
         const std::string_view option = take_token(line);
-        const bool takes_numbers = std::find(std::begin(kThreeNumbers), std::end(kThreeNumbers),
-                                             option) != std::end(kThreeNumbers);
-        if (!takes_numbers && option != "-mm") take_token(line);
-        for (int i = 0; i < (takes_numbers ? 3 : option == "-mm" ? 2 : 0); ++i)
-            take_float(line);
+        if (option == "-o" || option == "-s" || option == "-t")
+            take_numbers(line, 3);
+        else if (option == "-mm")
+            take_numbers(line, 2);
+        else
+            take_token(line);
     }
     std::string name(line);
     std::replace(name.begin(), name.end(), '\\', '/');
     return name;
 }
 
-void read_term(const std::string& keyword, std::string_view line, const std::string& location,
-               MtlTerms& terms) {
-    Material& m = terms.material;
-    if (keyword == "ka") read_colour(line, m.ambient);
-    if (keyword == "kd") read_colour(line, m.diffuse);
-    if (keyword == "ks") read_colour(line, m.specular);
-    if (keyword == "ke") read_colour(line, m.emission);
-    if (keyword == "ns") m.shininess = take_float(line).value_or(m.shininess);
-    if (keyword == "ni") terms.ni = take_float(line).value_or(terms.ni);
-    if (keyword == "illum") terms.illum = static_cast<int>(take_float(line).value_or(2.0f));
-    if (keyword == "d") terms.dissolve = take_float(line);
-    if (keyword == "tr")
-        if (const auto transparency = take_float(line)) terms.opacity = 1.0f - *transparency;
-    if (keyword == "tf") read_colour(line, terms.filter.emplace(1.0f));
-    if (keyword == "map_kd") {
-        const std::string name = texture_name(line);
-        if (!name.empty()) m.texture = sibling_path(location, name);
-    }
+// The value of a term as tinyobjloader is to read it; empty: as if the line were absent.
+std::string plain_value(const std::string& keyword, std::string_view text) {
+    if (keyword == "newmtl") return std::string(trimmed(text)) + kDefaults;
+    if (keyword == "map_Kd") return texture_name(text);
+    const std::vector<std::string_view> numbers = take_numbers(text, 3);
+    if (numbers.empty()) return {};
+    std::string value(numbers[0]);
+    // One number is a grey. Terms that are one number ignore the others.
+    for (size_t i = 1; i < 3; ++i)
+        value.append(" ").append(i < numbers.size() ? numbers[i] : numbers[0]);
+    return value;
 }
 
-Material to_material(const MtlTerms& terms) {
-    Material m = terms.material;
-    const float opacity = terms.dissolve.value_or(terms.opacity.value_or(1.0f));
-    const glm::vec3 see_through(std::clamp(1.0f - opacity, 0.0f, 1.0f));
+// Lines of the terms that are used, spelled as the format spells them; other lines stay.
+void edit(std::string& line) {
+    std::string_view rest = line;
+    const std::string lower = lower_case(take_token(rest));
+    for (const char* known :
+         {"newmtl", "Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "Tf", "d", "Tr", "illum", "map_Kd"})
+        if (lower == lower_case(known)) {
+            const std::string value = plain_value(known, rest);
+            line = value.empty() ? "" : known + (" " + value);
+            return;
+        }
+}
+
+glm::vec3 colour(const tinyobj::real_t (&rgb)[3]) {
+    return glm::dvec3(rgb[0], rgb[1], rgb[2]);
+}
+
+Material to_material(const tinyobj::material_t& terms, const std::string& location) {
+    Material m;
+    m.name = terms.name;
+    m.ambient = colour(terms.ambient);
+    m.diffuse = colour(terms.diffuse);
+    m.specular = colour(terms.specular);
+    m.emission = colour(terms.emission);
+    m.shininess = static_cast<float>(terms.shininess);
+    if (!terms.diffuse_texname.empty())
+        m.texture = sibling_path(location, terms.diffuse_texname);
+    const auto opacity = static_cast<float>(terms.dissolve);
+    m.transmission = glm::vec3(std::clamp(1.0f - opacity, 0.0f, 1.0f));
     switch (terms.illum) {
         case 3:
         case 5:
             m.reflection = m.specular;
-            m.transmission = see_through;
             break;
         case 6:
         case 7:
-            m.ior = terms.ni;
+            m.ior = static_cast<float>(terms.ior);
             [[fallthrough]];
         case 4:
         case 9:
-            m.transmission =
-                terms.filter.value_or(opacity < 1.0f ? see_through : glm::vec3(1.0f));
-            break;
-        default:
-            m.transmission = see_through;
+            if (terms.transmittance[0] >= 0.0)
+                m.transmission = colour(terms.transmittance);
+            else if (opacity >= 1.0f)
+                m.transmission = glm::vec3(1.0f);
     }
     return m;
 }
@@ -102,25 +110,19 @@ Material to_material(const MtlTerms& terms) {
 
 void read_mtl(const std::string& text, const std::string& location,
               std::map<std::string, Material>& materials, std::vector<std::string>& warnings) {
-    std::string_view rest = text;
-    std::optional<MtlTerms> terms;
-    const auto finish = [&] {
-        if (terms && !materials.emplace(terms->material.name, to_material(*terms)).second)
-            warnings.push_back(location + ": material '" + terms->material.name +
+    LineFeed feed(text, edit);
+    std::istream stream(&feed);
+    stream.exceptions(std::ios::badbit);
+    std::vector<tinyobj::material_t> read;
+    std::map<std::string, int> by_name;
+    std::string warning, error;  // the loader's, about d beside Tr
+    tinyobj::LoadMtl(&by_name, &read, &stream, &warning, &error);
+    for (const tinyobj::material_t& terms : read) {
+        if (terms.name.empty()) continue;  // a file without materials yields one
+        if (!materials.emplace(terms.name, to_material(terms, location)).second)
+            warnings.push_back(location + ": material '" + terms.name +
                                "' is defined again; the first definition stays");
-    };
-    while (!rest.empty()) {
-        std::string_view line = take_line(rest);
-        const std::string keyword = lower_case(take_token(line));
-        if (keyword == "newmtl") {
-            finish();
-            terms.emplace();
-            terms->material.name = std::string(trimmed(line));
-        } else if (terms) {
-            read_term(keyword, line, location, *terms);
-        }
     }
-    finish();
 }
 
 }  // namespace render

@@ -1,4 +1,4 @@
-// mtl_file.hpp - Wavefront material libraries -> materials.
+// mtl_file.hpp - Wavefront material libraries -> materials, through tinyobjloader.
 //
 // How the terms of MTL become those of the renderer:
 //   Ka Kd Ks Ns Ke map_Kd   ambient, diffuse, specular, shininess, emission, texture

@@ -99,6 +99,21 @@ void read_header_line(std::string_view line, PlyHeader& header, const std::strin
         header.texture = std::string(trimmed(line));
 }
 
+size_t ply_type_bytes(char type) {
+    switch (type) {
+        case 'b':
+        case 'B':
+            return 1;
+        case 'h':
+        case 'H':
+            return 2;
+        case 'd':
+            return 8;
+        default:
+            return 4;
+    }
+}
+
 // In text, a value takes a character and a blank; a list at least its count.
 size_t least_bytes(const PlyElement& element, PlyHeader::Format format) {
     size_t bytes = 0;
@@ -125,30 +140,9 @@ void check_promises(const PlyHeader& header, size_t file_bytes, const std::strin
 
 }  // namespace
 
-size_t ply_type_bytes(char type) {
-    switch (type) {
-        case 'b':
-        case 'B':
-            return 1;
-        case 'h':
-        case 'H':
-            return 2;
-        case 'd':
-            return 8;
-        default:
-            return 4;
-    }
-}
-
 const PlyProperty* PlyElement::find(std::string_view property) const {
     for (const PlyProperty& p : properties)
         if (p.name == property) return &p;
-    return nullptr;
-}
-
-const PlyElement* PlyHeader::find(std::string_view element) const {
-    for (const PlyElement& e : elements)
-        if (e.name == element) return &e;
     return nullptr;
 }
 

@@ -25,7 +25,6 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::string texture;  // from "comment TextureFile", a widespread convention
     size_t bytes = 0;     // up to and with the line end behind end_header
-    const PlyElement* find(std::string_view element) const;
 };
 
 // Throws LoadError for what is no PLY header, and for one that promises more than `file` holds.
@@ -44,7 +43,5 @@ private:
     PlyHeader::Format format_;
     std::string name_;
 };
-
-size_t ply_type_bytes(char type);
 
 }  // namespace render

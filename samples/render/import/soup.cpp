@@ -2,6 +2,7 @@
 // every triangle, also those without area.
 #include "import/soup.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <unordered_map>
@@ -35,6 +36,10 @@ CornerBits bits_of(const Corner& corner) {
     return bits;
 }
 
+size_t first_corner(const Soup& soup, size_t polygon) {
+    return polygon == 0 ? 0 : soup.ends[polygon - 1];
+}
+
 void add_triangles(const Soup& soup, size_t first, size_t end,
                    const std::vector<uint32_t>& vertex_of_corner, Mesh& mesh) {
     std::vector<glm::vec3> polygon;
@@ -47,8 +52,7 @@ void add_triangles(const Soup& soup, size_t first, size_t end,
 
 void add_polygons(const Soup& soup, const std::vector<uint32_t>& vertex_of_corner, Mesh& mesh) {
     for (size_t i = 0; i < soup.ends.size(); ++i) {
-        add_triangles(soup, i == 0 ? 0 : soup.ends[i - 1], soup.ends[i], vertex_of_corner,
-                      mesh);
+        add_triangles(soup, first_corner(soup, i), soup.ends[i], vertex_of_corner, mesh);
         mesh.material_ids.resize(mesh.triangles.size(),
                                  soup.materials.empty() ? 0 : soup.materials[i]);
     }
@@ -85,7 +89,42 @@ IndexedMesh with_vertices_of_corners(const Soup& soup) {
     return result;
 }
 
+// Keeps the polygons for which `keep` is true.
+template <typename Keep>
+void filter(Soup& soup, Keep keep) {
+    Soup kept;
+    for (size_t i = 0; i < soup.ends.size(); ++i) {
+        const Corner* first = soup.corners.data() + first_corner(soup, i);
+        const Corner* end = soup.corners.data() + soup.ends[i];
+        if (!keep(first, end)) continue;
+        kept.corners.insert(kept.corners.end(), first, end);
+        kept.ends.push_back(kept.corners.size());
+        if (!soup.materials.empty()) kept.materials.push_back(soup.materials[i]);
+    }
+    soup.corners = std::move(kept.corners);
+    soup.ends = std::move(kept.ends);
+    soup.materials = std::move(kept.materials);
+}
+
 }  // namespace
+
+void drop_bad_polygons(Soup& soup, const std::string& name,
+                       std::vector<std::string>& warnings) {
+    size_t too_short = 0, out_of_range = 0;
+    const auto is_absent = [&](const Corner& c) { return c.vertex >= soup.positions.size(); };
+    filter(soup, [&](const Corner* first, const Corner* end) {
+        const bool is_short = end - first < 3;
+        const bool is_out = !is_short && std::any_of(first, end, is_absent);
+        too_short += is_short;
+        out_of_range += is_out;
+        return !is_short && !is_out;
+    });
+    const auto warn = [&](size_t count, const char* what) {
+        if (count > 0) warnings.push_back(name + ": " + std::to_string(count) + " " + what);
+    };
+    warn(out_of_range, "faces with an index out of range were left out");
+    warn(too_short, "faces with fewer than 3 corners were left out");
+}
 
 IndexedMesh build_mesh(const Soup& soup) {
     return soup.corners_have_normals || soup.corners_have_texcoords

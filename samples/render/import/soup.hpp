@@ -1,15 +1,20 @@
-// soup.hpp - polygons as a file lists them: no half-edges, so nothing is duplicated, merged or
-// refused where the surface is not a manifold. Becomes the renderer's triangle mesh.
+// soup.hpp - polygons as a file lists them, which every reader fills; they become the renderer's
+// triangle mesh. No half-edges: nothing is duplicated, merged or refused where the surface is not
+// a manifold.
 #pragma once
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "model/model.hpp"
 
 namespace render {
+
+constexpr uint32_t kNoMaterial = 0xffffffffu;  // of a polygon that names none
+constexpr uint32_t kNoVertex = 0xffffffffu;    // an index that no file can have
 
 // One corner of a polygon. Normal and texture coordinate count only if the soup has them.
 struct Corner {
@@ -28,6 +33,19 @@ struct Soup {
     bool corners_have_normals = false;
     bool corners_have_texcoords = false;
 };
+
+// What a mesh file says, before its material files are read.
+struct ParsedMesh {
+    Soup soup;
+    std::vector<std::string> material_names;  // soup.materials are indices into these
+    std::vector<std::string> material_files;
+    std::string texture;  // of a file without materials
+    std::vector<std::string> warnings;
+};
+
+// Leaves out polygons with a vertex that is not there or with fewer than three corners, and adds
+// a warning for each kind. `name` starts it.
+void drop_bad_polygons(Soup& soup, const std::string& name, std::vector<std::string>& warnings);
 
 struct IndexedMesh {
     Mesh mesh;

@@ -91,9 +91,7 @@ Soup read_text(std::string_view rest, const std::string& name) {
     return soup;
 }
 
-}  // namespace
-
-Soup read_stl(const std::string& bytes, const std::string& name) {
+Soup read_soup(const std::string& bytes, const std::string& name) {
     const bool has_count = bytes.size() >= kHeaderBytes + 4;
     const size_t triangles = has_count ? little_endian_word(bytes.data() + kHeaderBytes) : 0;
     const size_t needed = kHeaderBytes + 4 + triangles * kTriangleBytes;
@@ -110,6 +108,14 @@ Soup read_stl(const std::string& bytes, const std::string& name) {
     throw LoadError(name + ": the header promises " + std::to_string(triangles) +
                     " triangles, which need " + std::to_string(needed) +
                     " bytes, but there are " + std::to_string(bytes.size()));
+}
+
+}  // namespace
+
+ParsedMesh read_stl(const std::string& bytes, const std::string& name) {
+    ParsedMesh parsed;
+    parsed.soup = read_soup(bytes, name);
+    return parsed;
 }
 
 }  // namespace render

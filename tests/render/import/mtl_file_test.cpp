@@ -53,6 +53,18 @@ TEST(MtlFile, TexturesStandBesideTheFile) {
     EXPECT_EQ(read_one("map_Kd /abs/x.png\n").texture, "/abs/x.png");
 }
 
+TEST(MtlFile, KeywordsMayBeSpelledInAnyCaseAndBadNumbersAreSkipped) {
+    const Material m = read_one("KD 1 0 0\nkS .5 .5 .5\nNS x\nd -halo 0.1\nMAP_KD a.png\n");
+    EXPECT_EQ(m.diffuse, glm::vec3(1, 0, 0));
+    EXPECT_EQ(m.specular, glm::vec3(0.5f));
+    EXPECT_EQ(m.shininess, 1.0f);
+    EXPECT_EQ(m.transmission, glm::vec3(0.0f));
+    EXPECT_EQ(m.texture, "folder/a.png");
+    EXPECT_EQ(read_one("").diffuse, glm::vec3(0.8f));
+    EXPECT_EQ(read_one("map_Kd -s 2 2 a.png\n").texture, "folder/a.png");
+    EXPECT_EQ(read_one("map_Kd -cc on a.png\n").diffuse, glm::vec3(0.8f));
+}
+
 TEST(MtlFile, TheFirstDefinitionOfANameStays) {
     std::map<std::string, Material> materials;
     std::vector<std::string> warnings;

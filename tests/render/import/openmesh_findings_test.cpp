@@ -1,6 +1,5 @@
-// openmesh_findings_test.cpp - what OpenMesh 9 gets wrong, each on the smallest file that shows
-// it. If one of these fails after a change to the loader, a reader of OpenMesh was given a file
-// that it does not understand.
+// openmesh_findings_test.cpp - what the readers of OpenMesh 9 get wrong, each on the smallest file
+// that shows it: the reason why they are not used.
 #include <gtest/gtest.h>
 
 #include <cmath>

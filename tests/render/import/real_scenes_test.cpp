@@ -152,7 +152,7 @@ TEST_F(RealScenes, VertexAnimationsStartAtTheirMesh) {
     expect_frames(folder_ / "robot_expressive", "robot_dance", 3234, 30);
 }
 
-// Formats that rsh_model does not read are left to their error as well.
+// Formats that rsh-render does not read are left to their error as well.
 TEST_F(RealScenes, BrokenFilesLoadOrGiveAnErrorThatNamesThem) {
     size_t loaded = 0, refused = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / "broken")) {

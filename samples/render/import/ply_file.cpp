@@ -1,0 +1,139 @@
+// ply_file.cpp - elements of a PLY file, in the order in which they stand -> polygons.
+#include "import/ply_file.hpp"
+
+#include <algorithm>
+
+#include "files/text_scan.hpp"
+#include "import/ply_header.hpp"
+
+namespace render {
+namespace {
+
+bool is_index_list(const PlyProperty& p) {
+    return p.count_type != '\0' && (p.name == "vertex_indices" || p.name == "vertex_index");
+}
+
+// Where the value of a vertex property goes: 0..2 position, 3..5 normal, 6, 7 texture
+// coordinate, -1 nowhere.
+int slot_of(const PlyProperty& property) {
+    constexpr const char* kSlots[] = {"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+    constexpr const char* kOtherNames[][2] = {{"s", "t"}, {"texture_u", "texture_v"}};
+    if (property.count_type != '\0') return -1;
+    for (int i = 0; i < 8; ++i)
+        if (property.name == kSlots[i]) return i;
+    for (const auto& pair : kOtherNames)
+        for (int i = 0; i < 2; ++i)
+            if (property.name == pair[i]) return 6 + i;
+    return -1;
+}
+
+class PlyReader {
+public:
+    PlyReader(const std::string& bytes, const std::string& name)
+        : header_(read_ply_header(bytes, name)), values_(bytes, header_, name), name_(name) {}
+
+    ParsedMesh read() {
+        parsed_.texture = header_.texture;
+        for (const PlyElement& element : header_.elements) {
+            if (element.name == "vertex")
+                read_vertices(element);
+            else if (element.name == "face")
+                read_faces(element);
+            else
+                skip(element);
+            // Nothing behind the faces matters, and some files break off there.
+            if (element.name == "face") break;
+        }
+        if (soup_.corners_have_texcoords) give_normals_to_corners();
+        drop_bad_polygons(soup_, name_, parsed_.warnings);
+        return std::move(parsed_);
+    }
+
+private:
+    void read_vertices(const PlyElement& element) {
+        for (const char* axis : {"x", "y", "z"})
+            if (!element.find(axis))
+                throw LoadError(name_ + ": a vertex has no property " + axis);
+        const bool has_normals = element.find("nx") && element.find("ny") && element.find("nz");
+        std::vector<int> slots;
+        for (const PlyProperty& p : element.properties) slots.push_back(slot_of(p));
+        const bool has_texcoords = std::count(slots.begin(), slots.end(), 7) > 0;
+        for (size_t i = 0; i < element.count; ++i) {
+            float v[8] = {};
+            for (size_t k = 0; k < slots.size(); ++k) {
+                const PlyProperty& p = element.properties[k];
+                if (slots[k] < 0)
+                    values_.skip(p);
+                else
+                    v[slots[k]] = static_cast<float>(values_.next(p.type));
+            }
+            soup_.positions.emplace_back(v[0], v[1], v[2]);
+            if (has_normals) soup_.normals.emplace_back(v[3], v[4], v[5]);
+            if (has_texcoords) soup_.texcoords.emplace_back(v[6], v[7]);
+        }
+    }
+
+    void read_faces(const PlyElement& element) {
+        if (std::none_of(element.properties.begin(), element.properties.end(), is_index_list))
+            throw LoadError(name_ + ": a face has no list property vertex_indices");
+        for (size_t i = 0; i < element.count; ++i)
+            for (const PlyProperty& p : element.properties) {
+                if (is_index_list(p))
+                    read_indices(p);
+                else if (p.count_type != '\0' && p.name == "texcoord")
+                    read_corner_texcoords(p);
+                else
+                    values_.skip(p);
+            }
+    }
+
+    void read_indices(const PlyProperty& p) {
+        const size_t count = values_.next_count(p.count_type);
+        for (size_t i = 0; i < count; ++i) {
+            const double index = values_.next(p.type);
+            const bool fits = index >= 0.0 && index < kNoVertex;
+            soup_.corners.push_back({fits ? static_cast<uint32_t>(index) : kNoVertex, {}, {}});
+        }
+        soup_.ends.push_back(soup_.corners.size());
+    }
+
+    // Two numbers a corner, on each face. Corners without numbers have texture coordinate 0.
+    void read_corner_texcoords(const PlyProperty& p) {
+        soup_.corners_have_texcoords = true;
+        const size_t first = soup_.ends.size() < 2 ? 0 : soup_.ends[soup_.ends.size() - 2];
+        const size_t count = values_.next_count(p.count_type);
+        for (size_t i = 0; i < count; ++i) {
+            const auto value = static_cast<float>(values_.next(p.type));
+            if (first + i / 2 < soup_.corners.size())
+                soup_.corners[first + i / 2].texcoord[static_cast<int>(i % 2)] = value;
+        }
+    }
+
+    // A soup has its attributes either per position or per corner.
+    void give_normals_to_corners() {
+        soup_.corners_have_normals = !soup_.normals.empty();
+        for (Corner& corner : soup_.corners)
+            if (corner.vertex < soup_.normals.size())
+                corner.normal = soup_.normals[corner.vertex];
+    }
+
+    void skip(const PlyElement& element) {
+        parsed_.warnings.push_back(name_ + ": element " + element.name + " was ignored");
+        for (size_t i = 0; i < element.count; ++i)
+            for (const PlyProperty& p : element.properties) values_.skip(p);
+    }
+
+    const PlyHeader header_;
+    PlyValues values_;
+    const std::string name_;
+    ParsedMesh parsed_;
+    Soup& soup_ = parsed_.soup;
+};
+
+}  // namespace
+
+ParsedMesh read_ply(const std::string& bytes, const std::string& name) {
+    return PlyReader(bytes, name).read();
+}
+
+}  // namespace render
