@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -80,16 +79,9 @@ bool check(const Device& device, const Renderer& renderer, uint32_t ray_step) {
     return result.differ == 0;
 }
 
-void write_json(const RunReport& report, const std::string& path) {
-    std::ofstream file(path);
-    file << as_json(report).dump(2) << '\n';
-    if (!file.flush())
-        throw std::runtime_error(fmt::format("--json {}: cannot be written", path));
-}
-
 void write_reports(const RunReport& report, const Options& options) {
     if (options.prints_statistics) fmt::print("{}", table(report));
-    if (!options.json.empty()) write_json(report, options.json);
+    if (!options.json.empty()) write_json(as_json(report), options.json);
 }
 
 }  // namespace

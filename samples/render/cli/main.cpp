@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "cli/frame_loop.hpp"
+#include "cli/inspection.hpp"
 #include "cli/options.hpp"
 #include "device/device.hpp"
 
@@ -12,8 +13,13 @@ int main(int argc, char** argv) {
     try {
         const render::ParsedOptions parsed = render::parse_options(argc, argv);
         if (!parsed.options) return parsed.exit_code;
-        if (!parsed.options->lists_devices) return render::run(*parsed.options);
-        fmt::print("{}", render::list_devices());
+        const render::Options& options = *parsed.options;
+        if (options.lists_devices)
+            fmt::print("{}", render::list_devices());
+        else if (options.inspects)
+            render::print_inspections(options);
+        else
+            return render::run(options);
         return 0;
     } catch (const cl::Error& error) {
         fmt::print(stderr, "rsh-render: {}: OpenCL error {} ({})\n", error.what(), error.err(),

@@ -65,6 +65,8 @@ void add_tracing_options(CLI::App& app, Options& o) {
 void add_report_options(CLI::App& app, Options& o) {
     app.add_flag("--stats", o.prints_statistics, "Print rays, pairs and time per stage");
     app.add_option("--json", o.json, "Write the statistics of every frame to this file");
+    app.add_flag("--inspect", o.inspects,
+                 "Print what each mesh is as a surface (--json: write it), and render nothing");
     app.add_option("--check", o.checked_frames,
                    "Trace the first N frames by brute force as well and count hits that differ")
         ->check(CLI::Range(1, 1000000));

@@ -31,6 +31,7 @@ struct Options {
     uint32_t check_ray_step = 1;
     bool prints_statistics = false;
     bool lists_devices = false;
+    bool inspects = false;
 };
 
 // Options, or the exit code of a command line that wants none (help) or is wrong; the text for

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace render {
 namespace {
@@ -154,6 +156,13 @@ nlohmann::json as_json(const RunReport& report) {
              "host time from the call of rsh_frame to the end of its last command; stage "
              "\"other\" is this total less the named stages"},
             {"frames", frames}};
+}
+
+void write_json(const nlohmann::json& json, const std::string& path) {
+    std::ofstream file(path);
+    file << json.dump(2) << '\n';
+    if (!file.flush())
+        throw std::runtime_error(fmt::format("--json {}: cannot be written", path));
 }
 
 }  // namespace render

@@ -40,4 +40,7 @@ std::string table(const RunReport& report);
 
 nlohmann::json as_json(const RunReport& report);
 
+// Throws std::runtime_error.
+void write_json(const nlohmann::json& json, const std::string& path);
+
 }  // namespace render

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/inspect.hpp"
 #include "scene/device_structs.hpp"
 #include "scene/view_fit.hpp"
 
@@ -54,8 +55,9 @@ void World::append(const Model& model, const MeshEntry& entry) {
     for (const uint32_t id : model.mesh.material_ids)
         mesh_.material_ids.push_back(id + first_material);
     append_materials(model, entry);
-    for (const std::string& warning : model.warnings)
-        warnings_.push_back(fmt::format("{}: {}", entry.where, warning));
+    for (const auto& warnings : {model.warnings, glass_warnings(model)})
+        for (const std::string& warning : warnings)
+            warnings_.push_back(fmt::format("{}: {}", entry.where, warning));
 }
 
 // A texture that the scene file names must be readable; one that a mesh names may be missing.
