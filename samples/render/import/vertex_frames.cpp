@@ -12,6 +12,7 @@
 #include "files/asset.hpp"
 #include "files/text_scan.hpp"
 #include "import/mesh_file.hpp"
+#include "model/normals.hpp"
 
 namespace render {
 namespace {
@@ -100,8 +101,6 @@ public:
     Model at(double time) const override;
 
 private:
-    void compute_normals(Mesh& mesh) const;
-
     NumberedModel base_;
     std::vector<glm::vec3> positions_;
     Span span_;
@@ -113,22 +112,6 @@ VertexFrames::VertexFrames(NumberedModel base, std::vector<glm::vec3> positions,
       positions_(std::move(positions)),
       span_(span),
       normal_groups_(normal_groups(base_)) {}
-
-// The mean of the normals of the triangles around each vertex, weighted by area.
-void VertexFrames::compute_normals(Mesh& mesh) const {
-    std::vector<glm::dvec3> sums(mesh.normals.size(), glm::dvec3(0.0));
-    for (const glm::uvec3 t : mesh.triangles) {
-        const glm::dvec3 a = mesh.positions[t.x];
-        const glm::dvec3 area = glm::cross(glm::dvec3(mesh.positions[t.y]) - a,
-                                           glm::dvec3(mesh.positions[t.z]) - a);
-        for (int i = 0; i < 3; ++i) sums[normal_groups_[t[i]]] += area;
-    }
-    for (size_t i = 0; i < mesh.normals.size(); ++i) {
-        const glm::dvec3 sum = sums[normal_groups_[i]];
-        const double length = glm::length(sum);
-        mesh.normals[i] = length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0.0f);
-    }
-}
 
 Model VertexFrames::at(double time) const {
     Model model = base_.model;
@@ -145,7 +128,8 @@ Model VertexFrames::at(double time) const {
         model.mesh.positions[i] = glm::mix(positions_[frame * base_.file_vertices + vertex],
                                            positions_[next * base_.file_vertices + vertex], u);
     }
-    if (!model.mesh.normals.empty()) compute_normals(model.mesh);
+    if (!model.mesh.normals.empty())
+        model.mesh.normals = smooth_normals(model.mesh, normal_groups_);
     return model;
 }
 

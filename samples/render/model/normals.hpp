@@ -1,5 +1,4 @@
-// normals.hpp - vertex normals for meshes that come without. Splits no vertex: an edge between
-// two faces that share its vertices becomes smooth.
+// normals.hpp - vertex normals for meshes that come without.
 #pragma once
 
 #include "model/model.hpp"
@@ -7,7 +6,8 @@
 namespace render {
 
 // One unit normal per vertex, the mean of its triangles' normals weighted by their areas; zero
-// where there is none.
-std::vector<glm::vec3> smooth_normals(const Mesh& mesh);
+// where there is none. Vertices of the same group, if there are groups, get the same normal.
+std::vector<glm::vec3> smooth_normals(const Mesh& mesh,
+                                      const std::vector<uint32_t>& groups = {});
 
 }  // namespace render

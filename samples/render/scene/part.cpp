@@ -11,6 +11,7 @@
 #include "import/bart/aff_animation.hpp"
 #include "import/mesh_file.hpp"
 #include "import/vertex_frames.hpp"
+#include "model/creases.hpp"
 #include "model/normals.hpp"
 
 namespace render {
@@ -123,7 +124,7 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
             rest_ = animation_->at(animation_->start());
         else
             rest_ = entry_.file.empty() ? make_room(entry_.room) : load_mesh(entry_.file);
-        if (entry_.is_smooth) rest_.mesh.normals = smooth_normals(rest_.mesh);
+        if (entry_.is_smooth) smooth();
         transform_ = static_transform(entry_, rest_.mesh);
     } catch (const std::exception& error) {
         // A mesh on the command line is its own place, which its loader has named already.
@@ -134,6 +135,16 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
     change_materials(entry_, rest_.materials);
     placed_ = rest_;
     place(0.0);
+}
+
+// Creases are those at the start: a moving mesh keeps its vertices.
+void Part::smooth() {
+    if (entry_.crease_degrees < 180.0f) {
+        CreasedMesh creased = split_at_creases(rest_.mesh, entry_.crease_degrees);
+        rest_.mesh = std::move(creased.mesh);
+        uncut_ = std::move(creased.source);
+    }
+    rest_.mesh.normals = smooth_normals(rest_.mesh);
 }
 
 std::optional<Interval> Part::time_span() const {
@@ -164,7 +175,9 @@ const Model& Part::at(double time) {
     if (!moves()) return placed_;
     if (animation_) {
         Model now = animation_->at(animation_time(time));
-        rest_.mesh.positions = std::move(now.mesh.positions);
+        for (size_t i = 0; i < uncut_.size(); ++i)
+            rest_.mesh.positions[i] = now.mesh.positions[uncut_[i]];
+        if (uncut_.empty()) rest_.mesh.positions = std::move(now.mesh.positions);
         rest_.mesh.normals = entry_.is_smooth ? smooth_normals(rest_.mesh) : now.mesh.normals;
         rest_.lights = std::move(now.lights);
         rest_.camera = now.camera;

@@ -24,12 +24,15 @@ public:
 
 private:
     double animation_time(double time) const;
+    void smooth();
     void place(double time);
 
     MeshEntry entry_;
     std::unique_ptr<Animation> animation_;
     glm::mat4 transform_;
-    Model rest_;    // before placing
+    Model rest_;  // before placing
+    std::vector<uint32_t>
+        uncut_;     // vertex of the file's mesh for each of `rest_`, if that is cut
     Model placed_;  // kept, so that a moving part reuses its memory
 };
 

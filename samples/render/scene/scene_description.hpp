@@ -32,8 +32,9 @@ struct MeshEntry {
     std::string file;           // empty: `room`
     std::string vertex_frames;  // positions per frame over the topology of `file`; empty: none
     RoomOptions room;
-    bool is_smooth = false;  // make vertex normals when the file has none
-    bool repeats = false;    // an animation starts again after its end
+    bool is_smooth = false;         // make vertex normals, instead of the file's
+    float crease_degrees = 180.0f;  // edges that are sharper stay so
+    bool repeats = false;           // an animation starts again after its end
     glm::mat4 transform{1.0f};
     std::optional<Stand> stand;
     std::vector<RigidKey> keys;

@@ -134,7 +134,10 @@ MeshEntry SceneSchema::mesh_from_file(const JsonValue& value) const {
     MeshEntry entry;
     entry.file = file(value.member("file"));
     if (auto v = value.find("vertex_frames")) entry.vertex_frames = file(*v);
-    if (auto v = value.find("smooth")) entry.is_smooth = v->boolean();
+    if (auto v = value.find("smooth")) {
+        entry.is_smooth = v->is_number() || v->boolean();
+        if (v->is_number()) entry.crease_degrees = v->number_in(0, 180);
+    }
     if (auto v = value.find("repeat")) entry.repeats = v->boolean();
     if (auto v = value.find("keys")) entry.keys = rigid_keys(*v);
     if (auto v = value.find("stand")) {

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
+#include "scene/world.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -119,6 +121,29 @@ TEST(SceneFile, AppliesTransformStepsInTheOrderOfTheList) {
     const glm::vec4 p = scene.meshes[0].transform * glm::vec4(1, 0, 0, 1);
     EXPECT_NEAR(p.x, 0.0f, 1e-5f);
     EXPECT_NEAR(p.z, 3.0f, 1e-5f);
+}
+
+// A cube that is cut at its edges has one normal per side; without, one per vertex.
+TEST(SceneFile, SmoothMayNameTheAngleOfCreases) {
+    const render::TemporaryFolder folder;
+    folder.write("cube.off",
+                 "OFF 8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                 "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    const auto load = [&](const std::string& smooth) {
+        const std::string scene = folder.write(
+            "scene.json",
+            "{\"meshes\": [{\"file\": \"cube.off\", \"smooth\": " + smooth + "}]}");
+        return render::World(render::read_scenes({scene})).mesh();
+    };
+    EXPECT_EQ(load("false").normals.size(), 0u);
+    EXPECT_EQ(load("true").normals.size(), 8u);
+    const render::Mesh creased = load("30");
+    ASSERT_EQ(creased.normals.size(), 24u);
+    for (const glm::vec3& normal : creased.normals)
+        EXPECT_EQ(std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z), 1.0f);
+    expect_in_message(
+        "{\"meshes\": [{\"file\": \"" + folder.path("cube.off") + "\", \"smooth\": \"yes\"}]}",
+        {"meshes[0].smooth", "yes"});
 }
 
 }  // namespace
