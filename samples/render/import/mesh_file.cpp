@@ -6,11 +6,8 @@
 
 #include "files/asset.hpp"
 #include "files/text_scan.hpp"
+#include "import/mesh_formats.hpp"
 #include "import/mtl_file.hpp"
-#include "import/obj_file.hpp"
-#include "import/off_file.hpp"
-#include "import/ply_file.hpp"
-#include "import/stl_file.hpp"
 
 namespace render {
 namespace {

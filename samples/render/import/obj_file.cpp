@@ -1,7 +1,7 @@
 // obj_file.cpp - calls of tinyobjloader -> polygons. It reads 0 for nan, for a comment, and for
 // what is no number at all, and skips what stands behind a number: a line with a 0 or with other
 // characters than those of numbers is looked at here.
-#include "import/obj_file.hpp"
+#include "import/mesh_formats.hpp"
 
 #include <tiny_obj_loader.h>
 

@@ -1,6 +1,6 @@
 // off_file.cpp - words -> polygons. Lines count only at their ends: what is left of a face's line
 // is a colour.
-#include "import/off_file.hpp"
+#include "import/mesh_formats.hpp"
 
 #include <algorithm>
 

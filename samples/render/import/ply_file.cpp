@@ -1,5 +1,5 @@
 // ply_file.cpp - elements of a PLY file, in the order in which they stand -> polygons.
-#include "import/ply_file.hpp"
+#include "import/mesh_formats.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace render {
 namespace {
 
 bool is_index_list(const PlyProperty& p) {
-    return p.count_type != '\0' && (p.name == "vertex_indices" || p.name == "vertex_index");
+    return p.count_type && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
 // Where the value of a vertex property goes: 0..2 position, 3..5 normal, 6, 7 texture
@@ -18,7 +18,7 @@ bool is_index_list(const PlyProperty& p) {
 int slot_of(const PlyProperty& property) {
     constexpr const char* kSlots[] = {"x", "y", "z", "nx", "ny", "nz", "u", "v"};
     constexpr const char* kOtherNames[][2] = {{"s", "t"}, {"texture_u", "texture_v"}};
-    if (property.count_type != '\0') return -1;
+    if (property.count_type) return -1;
     for (int i = 0; i < 8; ++i)
         if (property.name == kSlots[i]) return i;
     for (const auto& pair : kOtherNames)
@@ -65,7 +65,7 @@ private:
                 if (slots[k] < 0)
                     values_.skip(p);
                 else
-                    v[slots[k]] = static_cast<float>(values_.next(p.type));
+                    v[slots[k]] = static_cast<float>(values_.next(*p.type));
             }
             soup_.positions.emplace_back(v[0], v[1], v[2]);
             if (has_normals) soup_.normals.emplace_back(v[3], v[4], v[5]);
@@ -80,7 +80,7 @@ private:
             for (const PlyProperty& p : element.properties) {
                 if (is_index_list(p))
                     read_indices(p);
-                else if (p.count_type != '\0' && p.name == "texcoord")
+                else if (p.count_type && p.name == "texcoord")
                     read_corner_texcoords(p);
                 else
                     values_.skip(p);
@@ -88,9 +88,9 @@ private:
     }
 
     void read_indices(const PlyProperty& p) {
-        const size_t count = values_.next_count(p.count_type);
+        const size_t count = values_.next_count(p);
         for (size_t i = 0; i < count; ++i) {
-            const double index = values_.next(p.type);
+            const double index = values_.next(*p.type);
             const bool fits = index >= 0.0 && index < kNoVertex;
             soup_.corners.push_back({fits ? static_cast<uint32_t>(index) : kNoVertex, {}, {}});
         }
@@ -101,9 +101,9 @@ private:
     void read_corner_texcoords(const PlyProperty& p) {
         soup_.corners_have_texcoords = true;
         const size_t first = soup_.ends.size() < 2 ? 0 : soup_.ends[soup_.ends.size() - 2];
-        const size_t count = values_.next_count(p.count_type);
+        const size_t count = values_.next_count(p);
         for (size_t i = 0; i < count; ++i) {
-            const auto value = static_cast<float>(values_.next(p.type));
+            const auto value = static_cast<float>(values_.next(*p.type));
             if (first + i / 2 < soup_.corners.size())
                 soup_.corners[first + i / 2].texcoord[static_cast<int>(i % 2)] = value;
         }

@@ -9,23 +9,6 @@
 namespace render {
 namespace {
 
-struct TypeName {
-    std::string_view name;
-    char type;
-};
-
-constexpr TypeName kTypes[] = {
-    {"char", 'b'},  {"int8", 'b'},    {"uchar", 'B'},  {"uint8", 'B'},
-    {"short", 'h'}, {"int16", 'h'},   {"ushort", 'H'}, {"uint16", 'H'},
-    {"int", 'i'},   {"int32", 'i'},   {"uint", 'I'},   {"uint32", 'I'},
-    {"float", 'f'}, {"float32", 'f'}, {"double", 'd'}, {"float64", 'd'}};
-
-char type_named(std::string_view name, const std::string& file) {
-    for (const TypeName& type : kTypes)
-        if (type.name == name) return type.type;
-    throw LoadError(file + ": unknown PLY type '" + std::string(name) + "'");
-}
-
 template <typename T>
 double value_at(const char* bytes, bool swap) {
     char ordered[sizeof(T)];
@@ -36,25 +19,16 @@ double value_at(const char* bytes, bool swap) {
     return static_cast<double>(value);
 }
 
-double value_of_type(char type, const char* bytes, bool swap) {
-    switch (type) {
-        case 'b':
-            return value_at<int8_t>(bytes, swap);
-        case 'B':
-            return value_at<uint8_t>(bytes, swap);
-        case 'h':
-            return value_at<int16_t>(bytes, swap);
-        case 'H':
-            return value_at<uint16_t>(bytes, swap);
-        case 'i':
-            return value_at<int32_t>(bytes, swap);
-        case 'I':
-            return value_at<uint32_t>(bytes, swap);
-        case 'f':
-            return value_at<float>(bytes, swap);
-        default:
-            return value_at<double>(bytes, swap);
-    }
+constexpr PlyType kTypes[] = {
+    {"char", "int8", 1, value_at<int8_t>},    {"uchar", "uint8", 1, value_at<uint8_t>},
+    {"short", "int16", 2, value_at<int16_t>}, {"ushort", "uint16", 2, value_at<uint16_t>},
+    {"int", "int32", 4, value_at<int32_t>},   {"uint", "uint32", 4, value_at<uint32_t>},
+    {"float", "float32", 4, value_at<float>}, {"double", "float64", 8, value_at<double>}};
+
+const PlyType* type_named(std::string_view name, const std::string& file) {
+    for (const PlyType& type : kTypes)
+        if (type.name == name || type.other_name == name) return &type;
+    throw LoadError(file + ": unknown PLY type '" + std::string(name) + "'");
 }
 
 PlyHeader::Format format_named(std::string_view name, const std::string& file) {
@@ -99,28 +73,13 @@ void read_header_line(std::string_view line, PlyHeader& header, const std::strin
         header.texture = std::string(trimmed(line));
 }
 
-size_t ply_type_bytes(char type) {
-    switch (type) {
-        case 'b':
-        case 'B':
-            return 1;
-        case 'h':
-        case 'H':
-            return 2;
-        case 'd':
-            return 8;
-        default:
-            return 4;
-    }
-}
-
 // In text, a value takes a character and a blank; a list at least its count.
 size_t least_bytes(const PlyElement& element, PlyHeader::Format format) {
     size_t bytes = 0;
     for (const PlyProperty& p : element.properties)
         bytes += format == PlyHeader::Format::ascii
                      ? 2
-                     : ply_type_bytes(p.count_type != '\0' ? p.count_type : p.type);
+                     : (p.count_type ? p.count_type : p.type)->bytes;
     return bytes;
 }
 
@@ -165,7 +124,7 @@ PlyHeader read_ply_header(std::string_view file, const std::string& name) {
 PlyValues::PlyValues(std::string_view file, const PlyHeader& header, std::string name)
     : rest_(file.substr(header.bytes)), format_(header.format), name_(std::move(name)) {}
 
-double PlyValues::next(char type) {
+double PlyValues::next(const PlyType& type) {
     if (format_ == PlyHeader::Format::ascii) {
         const std::string_view token = take_token(rest_);
         const auto value = parse_number(token);
@@ -175,17 +134,15 @@ double PlyValues::next(char type) {
             throw LoadError(name_ + ": needs a number, but has '" + std::string(token) + "'");
         return *value;
     }
-    const size_t bytes = ply_type_bytes(type);
-    if (rest_.size() < bytes)
+    if (rest_.size() < type.bytes)
         throw LoadError(name_ + ": ends before the values its header promises");
-    const double value =
-        value_of_type(type, rest_.data(), format_ == PlyHeader::Format::big_endian);
-    rest_.remove_prefix(bytes);
+    const double value = type.read(rest_.data(), format_ == PlyHeader::Format::big_endian);
+    rest_.remove_prefix(type.bytes);
     return value;
 }
 
-size_t PlyValues::next_count(char type) {
-    const double count = next(type);
+size_t PlyValues::next_count(const PlyProperty& list) {
+    const double count = next(*list.count_type);
     if (!(count >= 0.0 && count <= static_cast<double>(rest_.size())))
         throw LoadError(name_ + ": a list promises " + std::to_string(count) +
                         " values, but the file has " + std::to_string(rest_.size()) +
@@ -194,8 +151,8 @@ size_t PlyValues::next_count(char type) {
 }
 
 void PlyValues::skip(const PlyProperty& property) {
-    const size_t count = property.count_type == '\0' ? 1 : next_count(property.count_type);
-    for (size_t i = 0; i < count; ++i) next(property.type);
+    const size_t count = property.count_type ? next_count(property) : 1;
+    for (size_t i = 0; i < count; ++i) next(*property.type);
 }
 
 }  // namespace render

@@ -7,10 +7,17 @@
 
 namespace render {
 
+// A number as a PLY file stores it.
+struct PlyType {
+    std::string_view name, other_name;
+    size_t bytes;
+    double (*read)(const char* bytes, bool swap);
+};
+
 struct PlyProperty {
     std::string name;
-    char type = 'f';         // b B h H i I f d as in Python's struct
-    char count_type = '\0';  // of a list; 0: a scalar
+    const PlyType* type = nullptr;
+    const PlyType* count_type = nullptr;  // of a list; none: a scalar
 };
 
 struct PlyElement {
@@ -34,8 +41,8 @@ PlyHeader read_ply_header(std::string_view file, const std::string& name);
 class PlyValues {
 public:
     PlyValues(std::string_view file, const PlyHeader& header, std::string name);
-    double next(char type);
-    size_t next_count(char type);
+    double next(const PlyType& type);
+    size_t next_count(const PlyProperty& list);
     void skip(const PlyProperty& property);
 
 private:

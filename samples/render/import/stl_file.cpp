@@ -1,11 +1,10 @@
 // stl_file.cpp - bytes -> triangles. Ignores the stored normals, which repeat what the corners
 // say, and the attribute bytes.
-#include "import/stl_file.hpp"
+#include "import/mesh_formats.hpp"
 
-#include <cstring>
-#include <unordered_map>
-
+#include "files/little_endian.hpp"
 #include "files/text_scan.hpp"
+#include "model/weld.hpp"
 
 namespace render {
 namespace {
@@ -13,47 +12,18 @@ namespace {
 constexpr size_t kHeaderBytes = 80;
 constexpr size_t kTriangleBytes = 50;
 
-class Welder {
-public:
-    explicit Welder(Soup& soup) : soup_(soup) {}
+// All corners, one triangle after the other.
+using Corners = std::vector<glm::vec3>;
 
-    void add(glm::vec3 position) {
-        const auto next = static_cast<uint32_t>(soup_.positions.size());
-        const std::string key(reinterpret_cast<const char*>(&position), sizeof position);
-        const auto [entry, is_new] = known_.emplace(key, next);
-        if (is_new) soup_.positions.push_back(position);
-        soup_.corners.push_back({entry->second, {}, {}});
-        if (soup_.corners.size() % 3 == 0) soup_.ends.push_back(soup_.corners.size());
+Corners read_binary(const std::string& bytes, size_t triangles) {
+    Corners corners;
+    for (size_t i = 0; i < 3 * triangles; ++i) {
+        const char* at =
+            bytes.data() + kHeaderBytes + 4 + i / 3 * kTriangleBytes + 12 + i % 3 * 12;
+        corners.push_back({little_endian_float(at), little_endian_float(at + 4),
+                           little_endian_float(at + 8)});
     }
-
-private:
-    Soup& soup_;
-    std::unordered_map<std::string, uint32_t> known_;
-};
-
-uint32_t little_endian_word(const char* bytes) {
-    const auto* b = reinterpret_cast<const unsigned char*>(bytes);
-    return b[0] | b[1] << 8 | b[2] << 16 | static_cast<uint32_t>(b[3]) << 24;
-}
-
-float little_endian_float(const char* bytes) {
-    const uint32_t word = little_endian_word(bytes);
-    float value;
-    std::memcpy(&value, &word, sizeof value);
-    return value;
-}
-
-Soup read_binary(const std::string& bytes, size_t triangles) {
-    Soup soup;
-    Welder welder(soup);
-    for (size_t i = 0; i < triangles; ++i)
-        for (int corner = 0; corner < 3; ++corner) {
-            const char* at =
-                bytes.data() + kHeaderBytes + 4 + i * kTriangleBytes + 12 + 12 * corner;
-            welder.add({little_endian_float(at), little_endian_float(at + 4),
-                        little_endian_float(at + 8)});
-        }
-    return soup;
+    return corners;
 }
 
 glm::vec3 read_vertex(std::string_view& rest, const std::string& where) {
@@ -70,9 +40,8 @@ glm::vec3 read_vertex(std::string_view& rest, const std::string& where) {
 }
 
 // Several solids make one soup.
-Soup read_text(std::string_view rest, const std::string& name) {
-    Soup soup;
-    Welder welder(soup);
+Corners read_text(std::string_view rest, const std::string& name) {
+    Corners corners;
     size_t facets = 0, loops = 0;
     while (!rest.empty()) {
         std::string_view line = take_line(rest);
@@ -81,17 +50,17 @@ Soup read_text(std::string_view rest, const std::string& name) {
                                       ? name + ", facet " + std::to_string(facets)
                                       : std::string();
         if (keyword == "facet") ++facets;
-        if (keyword == "vertex") welder.add(read_vertex(line, where));
-        if (keyword == "endloop" && soup.corners.size() != 3 * ++loops)
+        if (keyword == "vertex") corners.push_back(read_vertex(line, where));
+        if (keyword == "endloop" && corners.size() != 3 * ++loops)
             throw LoadError(where + ": has not 3 vertices");
     }
-    if (soup.corners.size() != 3 * facets)
+    if (corners.size() != 3 * facets)
         throw LoadError(name + ": promises " + std::to_string(facets) + " facets, but has " +
-                        std::to_string(soup.corners.size()) + " vertices, not 3 for each");
-    return soup;
+                        std::to_string(corners.size()) + " vertices, not 3 for each");
+    return corners;
 }
 
-Soup read_soup(const std::string& bytes, const std::string& name) {
+Corners read_corners(const std::string& bytes, const std::string& name) {
     const bool has_count = bytes.size() >= kHeaderBytes + 4;
     const size_t triangles = has_count ? little_endian_word(bytes.data() + kHeaderBytes) : 0;
     const size_t needed = kHeaderBytes + 4 + triangles * kTriangleBytes;
@@ -114,7 +83,13 @@ Soup read_soup(const std::string& bytes, const std::string& name) {
 
 ParsedMesh read_stl(const std::string& bytes, const std::string& name) {
     ParsedMesh parsed;
-    parsed.soup = read_soup(bytes, name);
+    Soup& soup = parsed.soup;
+    Weld weld;
+    for (const glm::vec3& position : read_corners(bytes, name)) {
+        soup.corners.push_back({weld(position), {}, {}});
+        if (soup.corners.size() % 3 == 0) soup.ends.push_back(soup.corners.size());
+    }
+    soup.positions = weld.positions();
     return parsed;
 }
 

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "files/asset.hpp"
+#include "files/little_endian.hpp"
 #include "files/text_scan.hpp"
 #include "import/mesh_file.hpp"
 #include "model/normals.hpp"
@@ -61,12 +61,9 @@ std::vector<glm::vec3> read_positions(const std::string& path, const Description
     check(asset.location, "bytes", asset.bytes.size(),
           d.frames * d.vertices * sizeof(glm::vec3));
     std::vector<glm::vec3> positions(d.frames * d.vertices);
-    const auto* bytes = reinterpret_cast<const unsigned char*>(asset.bytes.data());
-    for (size_t i = 0; i < 3 * positions.size(); ++i, bytes += 4) {
-        const uint32_t word =
-            bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<uint32_t>(bytes[3]) << 24;
-        std::memcpy(&positions[i / 3][static_cast<int>(i % 3)], &word, sizeof word);
-    }
+    for (size_t i = 0; i < 3 * positions.size(); ++i)
+        positions[i / 3][static_cast<int>(i % 3)] =
+            little_endian_float(asset.bytes.data() + 4 * i);
     return positions;
 }
 

@@ -10,28 +10,11 @@
 #include <map>
 #include <numeric>
 #include <tuple>
-#include <unordered_map>
+
+#include "model/weld.hpp"
 
 namespace render {
 namespace {
-
-// The different positions, each once.
-class Weld {
-public:
-    uint32_t number_of(glm::vec3 position) {
-        position += 0.0f;  // -0 becomes 0
-        const std::string bits(reinterpret_cast<const char*>(&position), sizeof position);
-        const auto next = static_cast<uint32_t>(positions_.size());
-        const auto [entry, is_new] = numbers_.emplace(bits, next);
-        if (is_new) positions_.push_back(position);
-        return entry->second;
-    }
-    const std::vector<glm::vec3>& positions() const { return positions_; }
-
-private:
-    std::unordered_map<std::string, uint32_t> numbers_;
-    std::vector<glm::vec3> positions_;
-};
 
 struct Edge {
     uint32_t low, high;
@@ -144,7 +127,8 @@ Inspection inspect(const std::vector<glm::vec3>& positions,
     Inspection result;
     Weld weld;
     std::vector<uint32_t> number;
-    for (const glm::vec3& position : positions) number.push_back(weld.number_of(position));
+    for (const glm::vec3& position : positions)
+        number.push_back(weld(position + 0.0f));  // -0 becomes 0
     result.vertices = weld.positions().size();
     result.triangles = triangles.size();
     const std::vector<glm::uvec3> whole = whole_triangles(positions, triangles, number, result);
@@ -172,8 +156,10 @@ std::vector<std::string> glass_warnings(const Model& model) {
         const std::string start =
             "material '" + material.name + "' is glass, but its surface is not ";
         if (!found.is_closed)
-            warnings.push_back(start + "closed (" + std::to_string(found.boundary_edges) +
-                               " boundary edges)");
+            warnings.push_back(start + "closed: it has " +
+                               std::to_string(found.boundary_edges) + " boundary and " +
+                               std::to_string(found.non_manifold_edges) +
+                               " non-manifold edges");
         else if (!found.is_wound_outwards)
             warnings.push_back(start + "wound outwards");
     }

@@ -146,4 +146,24 @@ TEST(SceneFile, SmoothMayNameTheAngleOfCreases) {
         {"meshes[0].smooth", "yes"});
 }
 
+// Two triangles at a right angle; the whole mesh moves by 1 along z.
+TEST(SceneFile, CreasesMoveWithTheirMesh) {
+    const render::TemporaryFolder folder;
+    folder.write("fold.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\n");
+    folder.write("fold.json",
+                 "{\"frames\": 2, \"vertices\": 4, \"triangles\": 2, \"time_start\": 0, "
+                 "\"time_end\": 1}");
+    folder.write("fold.f32", render::bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1,  //
+                                                      0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 2}));
+    const std::string scene = folder.write(
+        "scene.json", R"({"meshes": [{"file": "fold.obj", "vertex_frames": "fold.f32",
+                                      "smooth": 45}]})");
+    render::World world(render::read_scenes({scene}));
+    const std::vector<glm::vec3> before = world.mesh().positions;
+    world.move_to(1.0);
+    ASSERT_EQ(before.size(), 6u);
+    for (size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(world.mesh().positions[i], before[i] + glm::vec3(0, 0, 1)) << "vertex " << i;
+}
+
 }  // namespace

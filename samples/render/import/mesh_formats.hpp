@@ -1,0 +1,24 @@
+// mesh_formats.hpp - one reader for each format of mesh files. `name` starts every message. All
+// throw LoadError: for what is no number, for a file that ends early, and for a header that promises
+// more than the file can hold.
+#pragma once
+
+#include <string>
+
+#include "import/soup.hpp"
+
+namespace render {
+
+// Wavefront OBJ, through tinyobjloader. Ignores groups, lines, points and free-form surfaces.
+ParsedMesh read_obj(const std::string& bytes, const std::string& name);
+
+// Geomview OFF. Ignores colours and other attributes; refuses binary and higher-dimensional OFF.
+ParsedMesh read_off(const std::string& bytes, const std::string& name);
+
+// PLY, with normals and texture coordinates. Ignores other properties and elements.
+ParsedMesh read_ply(const std::string& bytes, const std::string& name);
+
+// STL, text and binary. Merges vertices that are equal bit for bit, so that every triangle stays.
+ParsedMesh read_stl(const std::string& bytes, const std::string& name);
+
+}  // namespace render
