@@ -10,8 +10,8 @@
 #ifndef RSH_BVH_BINARY_TREE_H
 #define RSH_BVH_BINARY_TREE_H
 
-#include "bvh/leaves.h"
 #include "bvh/leaf_cuts.h"
+#include "bvh/leaves.h"
 
 /* What a group costs besides its surface, as a part of the scene's by the number of clusters.
  * With none, rays open up to 5 % fewer, of a fifth more groups. */
@@ -73,8 +73,7 @@ static float16 least_of(const rsh_tree* tree, uint number)
 /* among(1) .. among(16), and how many of the slots the first has in each. */
 static float16 least_among(const rsh_tree* tree, uint first, uint second, uchar16* shares)
 {
-    const uchar16 others =
-        (uchar16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const uchar16 others = (uchar16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     float behind[32], share[16];
     vstore16((float16)(INFINITY), 0, behind);
     if (!is_branch(tree, first) || !is_branch(tree, second)) { /* a slot does for the cluster */
@@ -102,17 +101,16 @@ static uint clusters_below(const rsh_tree* tree, uint number)
     return is_branch(tree, number) ? branch_of(tree, number)->clusters : 1;
 }
 
-static void set_branch(const rsh_tree* tree, float price, uint number, uint first,
-                       uint second, const float* side)
+static void set_branch(const rsh_tree* tree, float price, uint number, uint first, uint second,
+                       const float* side)
 {
     __global rsh_box_branch* branch = branch_of(tree, number);
     const uint clusters = clusters_below(tree, first) + clusters_below(tree, second);
     uchar16 shares;
     const float16 among = least_among(tree, first, second, &shares);
     const float surface = fmin(surface_of(side, side + 3), RSH_MOST_SURFACE);
-    const float16 alone = (float16)(clusters < RSH_LEAST_BELOW
-                                        ? INFINITY
-                                        : among.sf + (surface + price));
+    const float16 alone =
+        (float16)(clusters < RSH_LEAST_BELOW ? INFINITY : among.sf + (surface + price));
     const int16 is_group = alone < among;
     vstore16(select(among, alone, is_group), 0, least_at(tree, number));
     vstore16(select(shares, (uchar16)(0), convert_uchar16(is_group)), 0,

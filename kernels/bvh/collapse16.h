@@ -92,8 +92,7 @@ static void store_slots(const rsh_tree* tree, const rsh_slots* slots, __global f
         const bool is_there = k < slots->count;
         const uint number = slots->number[is_there ? k : 0];
         __global const float* of = sides_of(tree, number);
-        for (uint f = 0; f < 6; ++f)
-            side[f][k] = is_there ? of[f] : no_side(f);
+        for (uint f = 0; f < 6; ++f) side[f][k] = is_there ? of[f] : no_side(f);
         below[k] = !is_there                 ? RSH_NO_BOX
                    : is_branch(tree, number) ? put_off(tree, number)
                                              : tree->clusters[number].below;

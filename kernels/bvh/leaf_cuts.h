@@ -96,8 +96,7 @@ static void find_cuts(const rsh_row* row, float price, int* length)
 #pragma unroll
         for (uint f = 0; f < 6; ++f) last[f] = vload8(0, row->eight[f] + j);
         for (uint l = 16; l >= RSH_LEAST_RUN; --l) {
-            const float8 here =
-                vload8(0, place + 16 - l) + surfaces_from(row, 8 + j - l, last);
+            const float8 here = vload8(0, place + 16 - l) + surfaces_from(row, 8 + j - l, last);
             const int8 is_less = here < sum;
             sum = select(sum, here, is_less);
             run = select(run, (int8)((int)l), is_less);

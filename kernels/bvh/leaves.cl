@@ -9,8 +9,8 @@
  * Nothing is done where the order is the one that there was: bvh/refit.cl.
  * Does not look at rays.
  */
-#include "bvh/leaf_cuts.h"
 #include "bvh/collapse16.h"
+#include "bvh/leaf_cuts.h"
 #include "bvh/nodes_from_runs.h"
 #include "bvh/ploc.h"
 #include "order/sort.h"
@@ -30,12 +30,12 @@ static float share_of(const rsh_span* scene, uint triangles)
 
 /* A part of the triangles on its way into clusters: some of them in a row. */
 typedef struct rsh_part_in {
-    rsh_row row;                            /* boxes around triangles, not padded */
+    rsh_row row; /* boxes around triangles, not padded */
     float corner[9][RSH_WINDOW + 16];
-    uint triangle[RSH_WINDOW + 16];         /* numbers */
-    uint next, end;                         /* places of those not in the row yet */
-    uint clusters, first_cluster;           /* made so far, and the number of the first */
-    uint cut;                               /* triangles in these */
+    uint triangle[RSH_WINDOW + 16]; /* numbers */
+    uint next, end;                 /* places of those not in the row yet */
+    uint clusters, first_cluster;   /* made so far, and the number of the first */
+    uint cut;                       /* triangles in these */
 } rsh_part_in;
 
 /* clusters: where they will be stored, in bursts that should find their lines in the cache. */
@@ -90,8 +90,8 @@ static bool store_cluster(const rsh_part_in* part, uint first, uint length,
 #pragma unroll
         for (uint i = 0; i < 9; ++i)
             corners.row[i / 3][i % 3][v] =
-                select((floatv)(INFINITY),
-                       load_lanes(part->corner[i] + first + RSH_WIDTH * v), is_there);
+                select((floatv)(INFINITY), load_lanes(part->corner[i] + first + RSH_WIDTH * v),
+                       is_there);
         const uintv triangle =
             select((uintv)(RSH_NO_HIT), load_lanes(part->triangle + first + RSH_WIDTH * v),
                    as_uintv(is_there));
@@ -175,8 +175,8 @@ __kernel void rsh_bound_clusters(rsh_mesh mesh, __global const float* vertices,
     clear_clusters(boxes + cluster_at(part.first_cluster + part.clusters),
                    shape.part_clusters - part.clusters);
     if (!is_kept) {
-        counts->groups = group_part(&shape, RSH_RUN_PRICE * share, me, part.clusters, boxes,
-                                    loose);
+        counts->groups =
+            group_part(&shape, RSH_RUN_PRICE * share, me, part.clusters, boxes, loose);
         return;
     }
     const rsh_tree growing = tree_in(shape, loose, tree);
@@ -232,9 +232,9 @@ static void expect_part(const rsh_tree* tree, uint part)
 }
 
 /* A work-item makes the groups of a part. Nothing is left to be done after that. */
-__kernel void rsh_bound_groups(rsh_scene_shape scene_shape,
-                               __global const rsh_sorting* sorting, __global float* boxes,
-                               __global const rsh_loose_box* loose, __global float* tree)
+__kernel void rsh_bound_groups(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
+                               __global float* boxes, __global const rsh_loose_box* loose,
+                               __global float* tree)
 {
     const rsh_scene_shape shape = scene_shape;
     const uint me = get_global_id(0);

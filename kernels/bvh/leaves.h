@@ -2,9 +2,9 @@
 #ifndef RSH_BVH_LEAVES_H
 #define RSH_BVH_LEAVES_H
 
+#include "bvh/layout.h"
 #include "mesh/boxes16.h"
 #include "mesh/intersect.h"
-#include "bvh/layout.h"
 
 /* Corners of 16 triangles, component by component. */
 typedef struct rsh_corner_rows {
@@ -152,8 +152,7 @@ static void boxes_of_corners(const rsh_corner_rows* corners, rsh_boxes* boxes)
                          c = corners->row[2][axis][v];
             const floatv high = greater(a, greater(b, c));
             boxes->low[axis][v] = lesser(a, lesser(b, c));
-            boxes->high[axis][v] =
-                select((floatv)(-INFINITY), high, high < (floatv)(INFINITY));
+            boxes->high[axis][v] = select((floatv)(-INFINITY), high, high < (floatv)(INFINITY));
         }
 }
 

@@ -6,8 +6,8 @@
 #ifndef RSH_BVH_NODES_FROM_RUNS_H
 #define RSH_BVH_NODES_FROM_RUNS_H
 
-#include "bvh/leaves.h"
 #include "bvh/leaf_cuts.h"
+#include "bvh/leaves.h"
 
 /* Boxes of a level on their way into groups, and where these go. */
 typedef struct rsh_level_in {
@@ -24,14 +24,14 @@ static void store_group(const rsh_level_in* level, uint first, uint length,
         const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
 #pragma unroll
         for (uint f = 0; f < 6; ++f)
-            store_lanes(select((floatv)(no_side(f)),
-                               load_lanes(level->row.side[f] + first + RSH_WIDTH * v),
-                               is_there),
-                        group + 16 * f + RSH_WIDTH * v);
-        store_lanes(select((uintv)(RSH_NO_BOX),
-                           load_lanes(level->below + first + RSH_WIDTH * v),
-                           as_uintv(is_there)),
-                    (__global uint*)group + RSH_BELOW_AT + RSH_WIDTH * v);
+            store_lanes(
+                select((floatv)(no_side(f)),
+                       load_lanes(level->row.side[f] + first + RSH_WIDTH * v), is_there),
+                group + 16 * f + RSH_WIDTH * v);
+        store_lanes(
+            select((uintv)(RSH_NO_BOX), load_lanes(level->below + first + RSH_WIDTH * v),
+                   as_uintv(is_there)),
+            (__global uint*)group + RSH_BELOW_AT + RSH_WIDTH * v);
     }
 }
 

@@ -9,8 +9,8 @@
  * order within a cell. Where they are not, each cell is sorted on. The device decides. A
  * work-item has a run of the triangles.
  */
-#include "order/hilbert.h"
 #include "bvh/refit_quality.h"
+#include "order/hilbert.h"
 #include "order/sort.h"
 
 /* Longest side of a large triangle's box, of that of the scene. */

@@ -134,8 +134,7 @@ static uint join_mates(const rsh_tree* tree, float price, rsh_tops* tops, uint n
 }
 
 /* Until no more than `most` are left. first: number of the first branch. */
-static void grow_tree(const rsh_tree* tree, float price, rsh_tops* tops, uint first,
-                      uint most)
+static void grow_tree(const rsh_tree* tree, float price, rsh_tops* tops, uint first, uint most)
 {
     for (uint round = 0; tops->count > most; ++round) {
         if (round < RSH_FREE_ROUNDS)

@@ -45,8 +45,7 @@ static void refit_group(const rsh_scene_shape* shape, uint number, __global floa
         const uint last = (is_cluster ? RSH_CLUSTERS(*shape) : RSH_GROUPS(*shape)) - 1;
         __global const rsh_loose_box* of = (is_cluster ? clusters : around) +
                                            (is_there ? min(RSH_BELOW_NUMBER(member), last) : 0);
-        for (uint f = 0; f < 6; ++f)
-            row[f][k] = is_there ? of->side[f] : no_side(f);
+        for (uint f = 0; f < 6; ++f) row[f][k] = is_there ? of->side[f] : no_side(f);
         if (is_there && is_cluster) below[k] = of->below;
     }
     for (uint f = 0; f < 6; ++f) {

@@ -47,6 +47,6 @@ __kernel void rsh_bound(rsh_mesh mesh, __global const float* vertices,
     const float3 centre = sphere_centre(p);
     const float radius = triangle_radius(p, centre);
     /* Differences that overflow: a sphere that holds everything. */
-    spheres[i] = isfinite(radius) ? (float4)(centre, radius)
-                                  : (float4)(0.0f, 0.0f, 0.0f, INFINITY);
+    spheres[i] =
+        isfinite(radius) ? (float4)(centre, radius) : (float4)(0.0f, 0.0f, 0.0f, INFINITY);
 }

@@ -46,7 +46,7 @@ RSH_ASSERT_SIZE(rsh_scene_shape, 24);
  * may where the reciprocal of a direction is 0, find nothing there that they should not. */
 #define RSH_NO_BOX (1u << 25 | RSH_IS_CLUSTER | RSH_SCALED)
 
-#define RSH_BELOW_NUMBER(below) ((below) & 0x01ffffffu)
+#define RSH_BELOW_NUMBER(below) (0x01ffffffu & (below))
 
 /* Words before the parts of it that are neither clusters nor groups. */
 #define RSH_ORDER_AT(shape)                                                        \
@@ -101,9 +101,9 @@ typedef struct rsh_box_branch {
     rsh_float side[6];
     rsh_uint below[2];
     rsh_uint clusters;
-    rsh_uint shares[4];  /* a byte for each number of slots: those of the first; 0: a group */
+    rsh_uint shares[4];   /* a byte for each number of slots: those of the first; 0: a group */
     rsh_uint group, next; /* of what waits to be a group: its number; another that waits */
-    rsh_uint unused; /* a cache line each */
+    rsh_uint unused;      /* a cache line each */
 } rsh_box_branch;
 RSH_ASSERT_SIZE(rsh_box_branch, 64);
 
@@ -127,7 +127,7 @@ RSH_ASSERT_SIZE(rsh_tree_part, 28);
     (RSH_TREE_PARTS_AT(shape) + sizeof(rsh_tree_part) / 4 * ((shape).parts + 1))
 #define RSH_TOPS_MARGIN 48
 #define RSH_TOPS_WORDS(room) (8 * ((room) + RSH_TOPS_MARGIN))
-#define RSH_TREE_WORDS(shape)                                                      \
+#define RSH_TREE_WORDS(shape)                                                     \
     (RSH_TOPS_AT(shape) + (shape).parts * RSH_TOPS_WORDS((shape).part_clusters) + \
      RSH_TOPS_WORDS(RSH_PART_TOPS * (shape).parts))
 
@@ -138,6 +138,6 @@ RSH_ASSERT_SIZE(rsh_tree_part, 28);
 
 /* Bins of bvh/order.cl, by cells of 2^-bits of the scene: cells for large triangles, four
  * times as long, then those for the others. */
-#define RSH_ORDER_BINS(bits) (65u << (3 * (bits) - 6))
+#define RSH_ORDER_BINS(bits) ((1u << 3 * (bits)) / 64 * 65)
 
 #endif

@@ -30,8 +30,8 @@
 #ifndef RSH_CAMERA_PROJECT_H
 #define RSH_CAMERA_PROJECT_H
 
-#include "mesh/triangles.h"
 #include "camera/types.h"
+#include "mesh/triangles.h"
 
 /* A corner in camera coordinates. bounds: across and down, minus G in .xy, plus G in .zw. */
 typedef struct rsh_corner {
@@ -49,8 +49,7 @@ static float row_times(float4 row, float3 w) { return row.x * w.x + row.y * w.y 
 static rsh_corner corner_of(const rsh_screen* screen, float3 position, float* depth_error)
 {
     const float3 w = position - screen->eye_near.xyz;
-    const float reach =
-        0x1p-18f * fmax(fabs(w.x), fmax(fabs(w.y), fabs(w.z))) + 0x1p-120f;
+    const float reach = 0x1p-18f * fmax(fabs(w.x), fmax(fabs(w.y), fabs(w.z))) + 0x1p-120f;
     const float across = row_times(screen->across_row, w);
     const float down = row_times(screen->down_row, w);
     *depth_error = screen->depth_row.w * reach;

@@ -18,8 +18,7 @@
 
 __kernel void rsh_rasterize_project(rsh_screen screen, rsh_mesh mesh,
                                     __global const float* vertices,
-                                    __global const uint* indices,
-                                    __global ushort4* boxes)
+                                    __global const uint* indices, __global ushort4* boxes)
 {
     const uint i = get_global_id(0);
     if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
@@ -115,10 +114,10 @@ static void offer(const rsh_input* input, rsh_square* square, uint i)
 }
 
 __kernel void rsh_rasterize_tiles(rsh_screen screen, rsh_mesh mesh,
-                                  __global const float* vertices,
-                                  __global const uint* indices, __global const ushort4* boxes,
-                                  __global const uint* ends, __global const uint* lists,
-                                  __global rsh_ray* rays, __global rsh_hit* hits)
+                                  __global const float* vertices, __global const uint* indices,
+                                  __global const ushort4* boxes, __global const uint* ends,
+                                  __global const uint* lists, __global rsh_ray* rays,
+                                  __global rsh_hit* hits)
 {
     const rsh_input input = {mesh, vertices, indices, boxes};
     const uint tile = get_group_id(0), item = get_local_id(0);

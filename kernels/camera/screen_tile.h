@@ -8,8 +8,8 @@
 #ifndef RSH_CAMERA_SCREEN_TILE_H
 #define RSH_CAMERA_SCREEN_TILE_H
 
-#include "mesh/intersect.h"
 #include "camera/types.h"
+#include "mesh/intersect.h"
 
 #ifndef RSH_TILE
 #define RSH_TILE 16 /* pixels along a tile's edge */
@@ -79,10 +79,10 @@ static void begin_block(const rsh_screen* screen, const uint* x, const uint* y,
     floatv direction[3];
     look(screen, x, y, direction);
     store_rays(screen, x, y, direction, rays);
-    block->rays = shear_rays((floatv)(screen->eye_near.x), (floatv)(screen->eye_near.y),
-                             (floatv)(screen->eye_near.z), direction[0], direction[1],
-                             direction[2], (floatv)(screen->eye_near.w),
-                             (floatv)(screen->forward_far.w));
+    block->rays =
+        shear_rays((floatv)(screen->eye_near.x), (floatv)(screen->eye_near.y),
+                   (floatv)(screen->eye_near.z), direction[0], direction[1], direction[2],
+                   (floatv)(screen->eye_near.w), (floatv)(screen->forward_far.w));
     block->best = no_hits();
 }
 

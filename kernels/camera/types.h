@@ -15,8 +15,9 @@ typedef struct rsh_screen {
     rsh_float4 forward_far; /* xyz, w: tmax of the rays         */
     rsh_float4 right;       /* these three: scaled alike so that the largest component is */
     rsh_float4 down;        /* in 0.5 .. 1; w: 0                                          */
-    rsh_float4 depth_row;   /* xyz, w: sum of their sizes. NaN: the camera is flat or nearly so */
-    rsh_float4 across_row;  /* and every triangle is taken to cover the screen                  */
+    rsh_float4 depth_row; /* xyz, w: sum of their sizes. NaN: the camera is flat or nearly so */
+    rsh_float4
+        across_row; /* and every triangle is taken to cover the screen                  */
     rsh_float4 down_row;
     rsh_float across_padding; /* how far rounding can turn a ray, in units of x and y */
     rsh_float down_padding;

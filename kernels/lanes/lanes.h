@@ -61,7 +61,7 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
 #ifdef __has_builtin
 #if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_gathersiv16sf) && defined(__AVX512F__)
 /* Where it is defined: words base[at], a lane each. */
-#define RSH_GATHER(base, at)                                                              \
+#define RSH_GATHER(base, at)                                                                \
     __builtin_ia32_gathersiv16sf((float16)(0.0f), (const void*)(ulong)(base), as_int16(at), \
                                  0xffff, 4)
 #endif

@@ -97,14 +97,14 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
 }
 
 /* One corner, seen from the ray: x and y across it, z along it. */
-#define SHEAR_CORNER(r, px, py, pz, ax, ay, az)                   \
-    do {                                                          \
-        const floatv dx = (px) - (r).origin_x;                    \
-        const floatv dy = (py) - (r).origin_y;                    \
-        const floatv dz = (pz) - (r).origin_z;                    \
-        az = pick_z(r, dx, dy, dz);                               \
-        ax = pick_x(r, dx, dy, dz) - (r).slope_x * az;            \
-        ay = pick_y(r, dx, dy, dz) - (r).slope_y * az;            \
+#define SHEAR_CORNER(r, px, py, pz, ax, ay, az)        \
+    do {                                               \
+        const floatv dx = (px) - (r).origin_x;         \
+        const floatv dy = (py) - (r).origin_y;         \
+        const floatv dz = (pz) - (r).origin_z;         \
+        az = pick_z(r, dx, dy, dz);                    \
+        ax = pick_x(r, dx, dy, dz) - (r).slope_x * az; \
+        ay = pick_y(r, dx, dy, dz) - (r).slope_y * az; \
     } while (0)
 
 /* Corners, seen from the ray: x and y across it, z along it. */
@@ -169,8 +169,8 @@ static rsh_hits cut(rsh_sheared r, rsh_seen s)
     hits.u = V * inverse; /* weights of the corners */
     hits.v = W * inverse;
     const floatv depth = U * inverse * s.az + hits.u * s.bz + hits.v * s.cz;
-    const intv is_ahead = ((depth >= zero) & (r.inverse_z > zero)) |
-                          ((depth <= zero) & (r.inverse_z < zero));
+    const intv is_ahead =
+        ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
     hits.t = depth * r.inverse_z;
     hits.is_hit &= is_ahead & (hits.t >= r.tmin) & (hits.t <= r.tmax);
     return hits;
@@ -217,11 +217,11 @@ static void spread_triangle(rsh_triangle triangle, floatv* corner)
 /* One ray with one triangle, by the same instructions: every lane holds the same. */
 static bool intersect_one(rsh_ray ray, rsh_triangle triangle, rsh_hit* hit)
 {
-    const rsh_sheared r = shear_rays(
-        (floatv)(ray.origin_tmin.x), (floatv)(ray.origin_tmin.y), (floatv)(ray.origin_tmin.z),
-        (floatv)(ray.direction_tmax.x), (floatv)(ray.direction_tmax.y),
-        (floatv)(ray.direction_tmax.z), (floatv)(ray.origin_tmin.w),
-        (floatv)(ray.direction_tmax.w));
+    const rsh_sheared r =
+        shear_rays((floatv)(ray.origin_tmin.x), (floatv)(ray.origin_tmin.y),
+                   (floatv)(ray.origin_tmin.z), (floatv)(ray.direction_tmax.x),
+                   (floatv)(ray.direction_tmax.y), (floatv)(ray.direction_tmax.z),
+                   (floatv)(ray.origin_tmin.w), (floatv)(ray.direction_tmax.w));
     floatv corner[9];
     spread_triangle(triangle, corner);
     const rsh_hits hits = intersect(r, corner);

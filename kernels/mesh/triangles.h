@@ -2,8 +2,8 @@
 #ifndef RSH_MESH_TRIANGLES_H
 #define RSH_MESH_TRIANGLES_H
 
-#include "mesh/types.h"
 #include "lanes/lanes.h"
+#include "mesh/types.h"
 
 typedef struct rsh_triangle {
     float3 v0, v1, v2;

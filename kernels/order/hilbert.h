@@ -43,8 +43,7 @@ static uintv hilbert_place(const uintv cell[3], uint bits)
     y ^= x;
     z ^= y;
     uintv flip = (uintv)(0u);
-    for (uint bit = bits - 1; bit > 0; --bit)
-        flip ^= mask_of(z, bit) & ((1u << bit) - 1);
+    for (uint bit = bits - 1; bit > 0; --bit) flip ^= mask_of(z, bit) & ((1u << bit) - 1);
     return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
 }
 

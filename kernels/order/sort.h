@@ -30,8 +30,8 @@ static bool are_in_one_bin(const uint* key, uint rest)
 }
 
 /* Stores the keys of a group, as many as there are, and counts them in their bins. */
-static void store_keys(const uint* key, uint group, uint count, uint rest,
-                       __global uint* keys, __global uint* bins)
+static void store_keys(const uint* key, uint group, uint count, uint rest, __global uint* keys,
+                       __global uint* bins)
 {
     if (16 * group + 16 <= count && are_in_one_bin(key, rest)) {
         for (uint v = 0; v < RSH_VECTORS; ++v)
@@ -53,8 +53,7 @@ static uint asking_step(rsh_part groups) { return 1 + (groups.end - groups.begin
 
 static rsh_span no_span(void)
 {
-    return (rsh_span){
-        {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
+    return (rsh_span){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
 }
 
 /* What `count` work-items saw; each adds it up for itself. */

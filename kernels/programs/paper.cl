@@ -1,6 +1,6 @@
 /* paper.cl - what the engine `paper` launches, as one program; see programs/paper_faithful.cl
  * for why. */
-#include "traverse/paper/traverse_runs.cl"
-#include "traverse/paper/intersect_runs.cl"
-#include "reduce/scan_counts.cl"
 #include "rays/join_boxes.cl"
+#include "reduce/scan_counts.cl"
+#include "traverse/paper/intersect_runs.cl"
+#include "traverse/paper/traverse_runs.cl"

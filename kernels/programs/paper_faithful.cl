@@ -5,9 +5,9 @@
  */
 #include "bvh/spheres.cl"
 #include "rays/build_cones.cl"
-#include "traverse/paper_faithful/traverse_level.cl"
-#include "traverse/paper_faithful/traverse_walk.cl"
-#include "traverse/paper_faithful/intersect.cl"
-#include "traverse/paper_faithful/resolve.cl"
 #include "reduce/chunk.cl"
 #include "reduce/lookback.cl"
+#include "traverse/paper_faithful/intersect.cl"
+#include "traverse/paper_faithful/resolve.cl"
+#include "traverse/paper_faithful/traverse_level.cl"
+#include "traverse/paper_faithful/traverse_walk.cl"

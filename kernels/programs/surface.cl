@@ -1,6 +1,6 @@
 /* surface.cl - what happens at a hit, as one program; see program_traverse.cl for
  * why. */
+#include "shade/clear_colour.cl"
+#include "shade/shade.cl"
 #include "shade/spawn.cl"
 #include "shade/spawn_shadow.cl"
-#include "shade/shade.cl"
-#include "shade/clear_colour.cl"

@@ -1,9 +1,9 @@
 /* tiles.cl - what the engine `tiles` launches, as one program; see program_traverse.cl
  * for why. */
 #include "bvh/leaves.cl"
-#include "bvh/refit.cl"
 #include "bvh/order.cl"
-#include "rays/sort_rays.cl"
+#include "bvh/refit.cl"
 #include "order/sort.cl"
 #include "rays/build_boxes.cl"
+#include "rays/sort_rays.cl"
 #include "traverse/tiles/traverse_tiles.cl"

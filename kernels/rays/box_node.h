@@ -121,8 +121,7 @@ static uint bundles_meeting(const rsh_bundles* nodes, const rsh_bundle* common,
             const floatv far = select((floatv)(high[axis]), (floatv)(low[axis]), is_negative);
             from = greater((near - near_origin) * near_inverse, from);
             to = lesser(fma(far - far_origin, far_inverse, nodes->far_offset[axis][v]), to);
-            from = greater((far - nodes->other_origin[axis][v]) *
-                               nodes->other_inverse[axis][v],
+            from = greater((far - nodes->other_origin[axis][v]) * nodes->other_inverse[axis][v],
                            from);
         }
         met |= RSH_LANE_BITS(from <= to) << (RSH_WIDTH * v);
@@ -143,8 +142,7 @@ static void set_bundles_axis(rsh_bundles* nodes, uint axis, uint v, floatv origi
     nodes->is_negative[axis][v] = is_negative;
     nodes->near_origin[axis][v] = select(origin_high, origin_low, is_negative);
     nodes->near_inverse[axis][v] =
-        select(select(near_high, infinite, direction_high <= zero), near_low,
-               is_negative);
+        select(select(near_high, infinite, direction_high <= zero), near_low, is_negative);
     nodes->far_origin[axis][v] = select(origin_low, origin_high, is_negative);
     nodes->far_inverse[axis][v] =
         select(select(to_low, to_high, is_negative) * RSH_RAISED, zero, is_mixed);

@@ -99,8 +99,7 @@ static void clear_node(uint b, rsh_node_rows* rows)
 __kernel void rsh_build_order(rsh_levels shape, __global const rsh_sorting* sorting,
                               __global uint* nodes)
 {
-    if (get_global_id(0) == 0)
-        nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
+    if (get_global_id(0) == 0) nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
 }
 
 __kernel void rsh_build_blocks(rsh_levels shape, __global const rsh_ray* rays,

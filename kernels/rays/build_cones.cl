@@ -16,10 +16,8 @@ typedef struct rsh_cone {
     float sine; /* 2: every direction */
 } rsh_cone;
 
-#define RSH_NO_CONE \
-    ((rsh_cone){(float3)(0.0f), -1.0f, (float3)(0.0f, 0.0f, 1.0f), 0.0f})
-#define RSH_WHOLE_SPACE \
-    ((rsh_cone){(float3)(0.0f), INFINITY, (float3)(0.0f, 0.0f, 1.0f), 2.0f})
+#define RSH_NO_CONE ((rsh_cone){(float3)(0.0f), -1.0f, (float3)(0.0f, 0.0f, 1.0f), 0.0f})
+#define RSH_WHOLE_SPACE ((rsh_cone){(float3)(0.0f), INFINITY, (float3)(0.0f, 0.0f, 1.0f), 2.0f})
 
 /* Normalising errs by at most 12u in angle (u = 2^-24), also where divisions err by 2.5 ulp: a
  * cone of sine 2^-20 = 16u around the stored axis holds the true direction. */

@@ -29,43 +29,42 @@
 #ifndef RSH_RAYS_CONE_SPHERE_H
 #define RSH_RAYS_CONE_SPHERE_H
 
-#include "rays/types.h"
 #include "lanes/lanes.h"
+#include "rays/types.h"
 
 /* Nodes and spheres, lane by lane: the arguments of the test. */
-#define RSH_DEFINE_CONE_SPHERE(name, F, I)                                                    \
-    typedef struct name##_lanes {                                                             \
-        F apex_x, apex_y, apex_z, radius, axis_x, axis_y, axis_z, sine;                       \
-        F centre_x, centre_y, centre_z, centre_radius;                                        \
-    } name##_lanes;                                                                           \
-    static I name(const name##_lanes* l)                                                      \
-    {                                                                                         \
-        const F far_x = l->centre_x - l->apex_x;                                              \
-        const F far_y = l->centre_y - l->apex_y;                                              \
-        const F far_z = l->centre_z - l->apex_z;                                              \
-        const F radii = l->radius + l->centre_radius;                                         \
-        const F size =                                                                        \
-            fmax(fmax(fabs(far_x), fabs(far_y)), fmax(fabs(far_z), radii));                   \
-        const F scale = as_##F(0x7f000000 - (as_##I(size) & 0x7f800000));                     \
-        const F wx = scale * far_x, wy = scale * far_y, wz = scale * far_z;                   \
-        const F sum = scale * radii;                                                          \
-        const F z = wx * l->axis_x + wy * l->axis_y + wz * l->axis_z;                         \
-        const F nx = wy * l->axis_z - wz * l->axis_y;                                         \
-        const F ny = wz * l->axis_x - wx * l->axis_z;                                         \
-        const F nz = wx * l->axis_y - wy * l->axis_x;                                         \
-        const F q2 = nx * nx + ny * ny + nz * nz;                                             \
-        const F z2 = z * z;                                                                   \
-        const F sine2 = l->sine * l->sine;                                                    \
-        const F cosine2 = 1.0f - sine2;                                                       \
-        const F reach = sum + 0x1p-17f * (fabs(wx) + fabs(wy) + fabs(wz) + sum);              \
-        const F side = z * l->sine + reach;                                                   \
-        const I is_behind = (z < 0.0f) & (q2 * sine2 < z2 * cosine2);                         \
-        const I far_side = (side < 0.0f) | (q2 * cosine2 > side * side);                      \
-        const I far_apex = q2 + z2 > reach * reach;                                           \
-        const I is_far = ((is_behind & far_apex) | ((is_behind == 0) & far_side)) &           \
-                         (q2 + z2 < INFINITY);                                                \
-        return (l->radius >= 0.0f) & (l->centre_radius >= 0.0f) &                             \
-               ((l->sine > 1.0f) | (is_far == 0));                                            \
+#define RSH_DEFINE_CONE_SPHERE(name, F, I)                                                   \
+    typedef struct name##_lanes {                                                            \
+        F apex_x, apex_y, apex_z, radius, axis_x, axis_y, axis_z, sine;                      \
+        F centre_x, centre_y, centre_z, centre_radius;                                       \
+    } name##_lanes;                                                                          \
+    static I name(const name##_lanes* l)                                                     \
+    {                                                                                        \
+        const F far_x = l->centre_x - l->apex_x;                                             \
+        const F far_y = l->centre_y - l->apex_y;                                             \
+        const F far_z = l->centre_z - l->apex_z;                                             \
+        const F radii = l->radius + l->centre_radius;                                        \
+        const F size = fmax(fmax(fabs(far_x), fabs(far_y)), fmax(fabs(far_z), radii));       \
+        const F scale = as_##F(0x7f000000 - (as_##I(size) & 0x7f800000));                    \
+        const F wx = scale * far_x, wy = scale * far_y, wz = scale * far_z;                  \
+        const F sum = scale * radii;                                                         \
+        const F z = wx * l->axis_x + wy * l->axis_y + wz * l->axis_z;                        \
+        const F nx = wy * l->axis_z - wz * l->axis_y;                                        \
+        const F ny = wz * l->axis_x - wx * l->axis_z;                                        \
+        const F nz = wx * l->axis_y - wy * l->axis_x;                                        \
+        const F q2 = nx * nx + ny * ny + nz * nz;                                            \
+        const F z2 = z * z;                                                                  \
+        const F sine2 = l->sine * l->sine;                                                   \
+        const F cosine2 = 1.0f - sine2;                                                      \
+        const F reach = sum + 0x1p-17f * (fabs(wx) + fabs(wy) + fabs(wz) + sum);             \
+        const F side = z * l->sine + reach;                                                  \
+        const I is_behind = (z < 0.0f) & (q2 * sine2 < z2 * cosine2);                        \
+        const I far_side = (side < 0.0f) | (q2 * cosine2 > side * side);                     \
+        const I far_apex = q2 + z2 > reach * reach;                                          \
+        const I is_far =                                                                     \
+            ((is_behind & far_apex) | ((is_behind == 0) & far_side)) & (q2 + z2 < INFINITY); \
+        return (l->radius >= 0.0f) & (l->centre_radius >= 0.0f) &                            \
+               ((l->sine > 1.0f) | (is_far == 0));                                           \
     }
 
 #endif

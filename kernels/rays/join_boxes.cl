@@ -24,8 +24,7 @@ static void join_group(__global const float* in, float* row)
 
 static void clear_node(float* row)
 {
-    for (uint f = 0; f < 12; ++f)
-        row[f] = f < 3 || (f >= 6 && f < 9) ? INFINITY : -INFINITY;
+    for (uint f = 0; f < 12; ++f) row[f] = f < 3 || (f >= 6 && f < 9) ? INFINITY : -INFINITY;
     row[12] = -1.0f;
     row[13] = 0.0f;
 }

@@ -7,8 +7,8 @@
  * rays go one by one, at several times the cost. A work-item has a run of the rays.
  */
 #include "order/hilbert.h"
-#include "rays/ray_block.h"
 #include "order/sort.h"
+#include "rays/ray_block.h"
 
 /* Bits of a coordinate; RSH_RAY_CELL_BITS of them make the cell. */
 #define RSH_RAY_BITS 7
@@ -68,8 +68,7 @@ static bool is_spread(const rsh_ray_block* block, float whole)
     const rsh_span directions = span_of(block, RSH_DIRECTION);
     float longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
-        longest = fmax(longest,
-                       fmax(fabs(directions.low[axis]), fabs(directions.high[axis])));
+        longest = fmax(longest, fmax(fabs(directions.low[axis]), fabs(directions.high[axis])));
     return longest_side(&directions) > RSH_SPREAD * 2.0f * longest;
 }
 
@@ -102,9 +101,9 @@ static void keys_of_rays(const rsh_ray_block* block, const rsh_span* whole, uint
                              as_uintv(block->row[RSH_DIRECTION + axis][v] < (floatv)(0.0f)));
         }
         const uintv key = octant << (3 * RSH_RAY_BITS) | hilbert_place(cell, RSH_RAY_BITS);
-        store_lanes(select((uintv)(8u << (3 * RSH_RAY_BITS)), key,
-                           as_uintv(block->is_active[v])),
-                    keys + RSH_WIDTH * v);
+        store_lanes(
+            select((uintv)(8u << (3 * RSH_RAY_BITS)), key, as_uintv(block->is_active[v])),
+            keys + RSH_WIDTH * v);
     }
 }
 

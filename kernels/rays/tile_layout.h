@@ -8,8 +8,8 @@
 #define RSH_NO_RAY 0xffffffffu
 
 typedef struct rsh_tile {
-    uint width, height; /* rays; list: height 0 */
-    uint x, y;          /* first ray; list: x */
+    uint width, height;         /* rays; list: height 0 */
+    uint x, y;                  /* first ray; list: x */
     __global const uint* order; /* rays by place, see rsh_levels; 0: places are rays */
 } rsh_tile;
 
@@ -30,8 +30,8 @@ static rsh_tile tile_at(rsh_levels shape, __global const uint* nodes, uint tile)
         return (rsh_tile){count, 0, 256 * tile, 0, order[count] ? order : 0};
     }
     const uint columns = shape.width[2];
-    return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16,
-                      tile / columns * 16, 0};
+    return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16, tile / columns * 16,
+                      0};
 }
 
 /* Index of a ray of the tile; RSH_NO_RAY outside of the grid or list. */

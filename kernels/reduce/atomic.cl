@@ -4,8 +4,8 @@
  *   output        out  its kept elements, in any order
  *   output_count[output_index]  in/out  0, then how many
  */
-#include "reduce/element.h"
 #include "lanes/stride.h"
+#include "reduce/element.h"
 
 __kernel void rsh_reduce_atomic(RSH_STREAM, __global uint* output,
                                 volatile __global uint* output_count, uint output_index)

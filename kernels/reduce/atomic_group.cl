@@ -33,8 +33,7 @@ __kernel void rsh_reduce_atomic_group(RSH_STREAM, __global uint* output,
         const uint index = r * get_num_groups(0) + get_group_id(0);
         const rsh_run tile = tile_run(index, tile_size(), length);
         const rsh_rank rank = rank_tile(input, flags, tile, sums);
-        if (get_local_id(0) == 0)
-            *shared = atomic_add(output_count + output_index, rank.total);
+        if (get_local_id(0) == 0) *shared = atomic_add(output_count + output_index, rank.total);
         barrier(CLK_LOCAL_MEM_FENCE);
         scatter_tile(input, tile, rank, output, *shared);
         barrier(CLK_LOCAL_MEM_FENCE);

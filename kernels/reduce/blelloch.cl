@@ -5,14 +5,11 @@
  *   sums          scratch, a power of two of them: the tree in place
  *   output        out  its kept elements, packed;  output_count[output_index]  out  how many
  */
-#include "reduce/element.h"
 #include "lanes/stride.h"
+#include "reduce/element.h"
 
 /* Leaves of the tree over `length` elements: the next power of two. */
-static uint leaves_of(uint length)
-{
-    return length <= 1 ? 1u : 1u << (32 - clz(length - 1));
-}
+static uint leaves_of(uint length) { return length <= 1 ? 1u : 1u << (32 - clz(length - 1)); }
 
 __kernel void rsh_reduce_blelloch_begin(RSH_STREAM, __global uint* sums)
 {

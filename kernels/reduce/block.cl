@@ -47,8 +47,8 @@ static uint search_item(__local const uint* sums, uint wanted)
 }
 
 /* Each place of the output looks for its element; one per work-item, as in the paper. */
-__kernel void rsh_reduce_block_search(RSH_STREAM, __global uint* reduced,
-                                      __global uint* counts, __local uint* sums)
+__kernel void rsh_reduce_block_search(RSH_STREAM, __global uint* reduced, __global uint* counts,
+                                      __local uint* sums)
 {
     const uint me = get_local_id(0), size = get_local_size(0);
     const rsh_run tile = tile_run(get_group_id(0), size, RSH_LENGTH);

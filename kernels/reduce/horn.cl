@@ -5,8 +5,8 @@
  *   sums          scratch, one per element, twice: dropped elements up to and with element i
  *   output        out  its kept elements, packed;  output_count[output_index]  out  how many
  */
-#include "reduce/element.h"
 #include "lanes/stride.h"
+#include "reduce/element.h"
 
 __kernel void rsh_reduce_horn_begin(RSH_STREAM, __global uint* sums)
 {

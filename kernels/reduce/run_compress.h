@@ -60,32 +60,32 @@ static uint count_run(__global const uint* input, __global const uchar* flags, r
 }
 
 /* Packs elements begin .. end - 1, a multiple of 16 of them; returns how many words it kept. */
-#define RSH_DEFINE_PACK(name, SPACE, STORE)                                                    \
-    static uint name(__global const uint* input, __global const uchar* flags, uint begin,      \
-                     uint end, SPACE int* to)                                                  \
-    {                                                                                          \
-        uint stored = 0;                                                                       \
-        for (uint i = begin; i < end; i += 16) {                                               \
-            const uint lanes = kept_lanes(input, flags, i);                                    \
-            const ulong words =                                                                \
-                __builtin_ia32_pdep_di(lanes, RSH_FIRST_WORDS) * ((1u << RSH_WORDS) - 1);      \
-            for (uint v = 0; v < RSH_WORDS; ++v) {                                             \
-                const uint mask = (ushort)(words >> 16 * v), taken = popcount(mask);           \
-                const int16 all = load_words(input, i, v);                                     \
-                STORE(__builtin_ia32_compresssi512_mask(all, all, (ushort)mask), taken,        \
-                      to + stored);                                                            \
-                stored += taken;                                                               \
-            }                                                                                  \
-        }                                                                                      \
-        return stored;                                                                         \
+#define RSH_DEFINE_PACK(name, SPACE, STORE)                                               \
+    static uint name(__global const uint* input, __global const uchar* flags, uint begin, \
+                     uint end, SPACE int* to)                                             \
+    {                                                                                     \
+        uint stored = 0;                                                                  \
+        for (uint i = begin; i < end; i += 16) {                                          \
+            const uint lanes = kept_lanes(input, flags, i);                               \
+            const ulong words =                                                           \
+                __builtin_ia32_pdep_di(lanes, RSH_FIRST_WORDS) * ((1u << RSH_WORDS) - 1); \
+            for (uint v = 0; v < RSH_WORDS; ++v) {                                        \
+                const uint mask = (ushort)(words >> 16 * v), taken = popcount(mask);      \
+                const int16 all = load_words(input, i, v);                                \
+                STORE(__builtin_ia32_compresssi512_mask(all, all, (ushort)mask), taken,   \
+                      to + stored);                                                       \
+                stored += taken;                                                          \
+            }                                                                             \
+        }                                                                                 \
+        return stored;                                                                    \
     }
 
 #define RSH_LOW_LANES(count) ((ushort)((1u << (count)) - 1))
 
 /* In place. Lines that will be written soon are asked for by then: otherwise each store waits
  * for its line in turn, which costs 5 to 8 % where most is kept. */
-#define RSH_STORE_IN_PLACE(packed, taken, to)                                                  \
-    __builtin_prefetch((to) + 128, 1, 3);                                                      \
+#define RSH_STORE_IN_PLACE(packed, taken, to) \
+    __builtin_prefetch((to) + 128, 1, 3);     \
     __builtin_ia32_storedqusi512_mask(to, packed, RSH_LOW_LANES(taken))
 RSH_DEFINE_PACK(pack_in_place, __global, RSH_STORE_IN_PLACE)
 

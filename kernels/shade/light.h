@@ -45,8 +45,8 @@ static rsh_arrival arrival_at(rsh_light light, float3 point)
         arrival.direction = unit3(path);
         arrival.colour *= attenuated(light.attenuation, safe_length(path));
         if (light.kind == RSH_LIGHT_SPOT)
-            arrival.colour *= cone_share(
-                light, -dot3(arrival.direction, unit3(light.direction.xyz)));
+            arrival.colour *=
+                cone_share(light, -dot3(arrival.direction, unit3(light.direction.xyz)));
     }
     return arrival;
 }

@@ -4,10 +4,10 @@
  *   active_count                     in/out  grows by the active rays; may be NULL
  * Shadow rays are shade/spawn_shadow.cl's job.
  */
+#include "lanes/stride.h"
 #include "shade/fresnel.h"
 #include "shade/offset.h"
 #include "shade/spawned_ray.h"
-#include "lanes/stride.h"
 
 #ifndef RSH_TRANSMISSION
 #define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */
@@ -72,10 +72,9 @@ __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
                         __global const uint* material_ids,
                         __global const rsh_material* materials, uint material_count,
                         uint ray_count, uint is_refracted, float min_weight,
-                        __global const rsh_ray* rays,
-                        __global const rsh_hit* hits, __global const float4* weights,
-                        __global rsh_ray* spawned_rays, __global float4* spawned_weights,
-                        __global uint* active_count)
+                        __global const rsh_ray* rays, __global const rsh_hit* hits,
+                        __global const float4* weights, __global rsh_ray* spawned_rays,
+                        __global float4* spawned_weights, __global uint* active_count)
 {
     const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
     const rsh_stride mine = my_elements(ray_count);
@@ -90,8 +89,8 @@ __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
             const rsh_branch branch = is_refracted ? refracted_branch(&surface, material)
                                                    : reflected_branch(&surface, material);
             const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
-            const rsh_ray ray = ray_from(leave_surface(&surface, branch.side), branch.direction,
-                                         INFINITY);
+            const rsh_ray ray =
+                ray_from(leave_surface(&surface, branch.side), branch.direction, INFINITY);
             if (is_worth(product, min_weight) && is_active(ray)) {
                 spawned = ray;
                 weight = product;

@@ -3,9 +3,9 @@
  *   spawned_rays  out     inactive where the light could add nothing, or casts no shadow
  *   active_count  in/out  grows by the active rays; may be NULL
  */
+#include "lanes/stride.h"
 #include "shade/light.h"
 #include "shade/spawned_ray.h"
-#include "lanes/stride.h"
 
 /* End of a ray to a light at t = 1: a triangle that the light lies on, at most 16 times as wide
  * as the ray is long, is found at 1 - 2^-16 or later (t errs by 2^-20 of its extent). */

@@ -64,8 +64,8 @@ static float3 smooth_normal(const rsh_shape* shape, const rsh_surface* surface, 
     uint corner[3];
     triangle_vertices(shape->mesh, shape->indices, hit.primitive, corner);
     const float3 normal = unit3((1.0f - hit.u - hit.v) * vertex_normal(shape, corner[0]) +
-                          hit.u * vertex_normal(shape, corner[1]) +
-                          hit.v * vertex_normal(shape, corner[2]));
+                                hit.u * vertex_normal(shape, corner[1]) +
+                                hit.v * vertex_normal(shape, corner[2]));
     if (!(dot3(normal, normal) > 0.0f)) return surface->geometric;
     return dot3(normal, surface->geometric) < 0.0f ? -normal : normal;
 }

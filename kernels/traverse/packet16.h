@@ -3,8 +3,8 @@
 #ifndef RSH_TRAVERSE_PACKET16_H
 #define RSH_TRAVERSE_PACKET16_H
 
-#include "rays/box_node.h"
 #include "mesh/intersect.h"
+#include "rays/box_node.h"
 
 typedef struct rsh_block {
     rsh_sheared ray[RSH_VECTORS];          /* tmax: of the closest hit so far; -1: retired */
@@ -14,9 +14,9 @@ typedef struct rsh_block {
     uintv primitive[RSH_VECTORS];
     floatv given_tmax[RSH_VECTORS];
     rsh_bundle bundle; /* of all rays */
-    float pad;   /* of the origins, as in rays/box_node.h */
-    uint axis;   /* kz of all rays; 3: they differ */
-    bool is_fit; /* for rays_meeting and lone_ray: no direction too small to divide by */
+    float pad;         /* of the origins, as in rays/box_node.h */
+    uint axis;         /* kz of all rays; 3: they differ */
+    bool is_fit;       /* for rays_meeting and lone_ray: no direction too small to divide by */
 } rsh_block;
 
 /* kz, where all active rays have the same. */
@@ -41,11 +41,10 @@ static void load_block(rsh_block* block, rsh_tile tile, uint b, __global const r
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         const intv is_active = given.is_active[v];
         block->given_tmax[v] = given.row[RSH_TMAX][v];
-        block->ray[v] = shear_rays(
-            given.row[0][v], given.row[1][v], given.row[2][v], given.row[RSH_DIRECTION][v],
-            given.row[RSH_DIRECTION + 1][v], given.row[RSH_DIRECTION + 2][v],
-            given.row[RSH_TMIN][v],
-            select((floatv)(-1.0f), given.row[RSH_TMAX][v], is_active));
+        block->ray[v] = shear_rays(given.row[0][v], given.row[1][v], given.row[2][v],
+                                   given.row[RSH_DIRECTION][v], given.row[RSH_DIRECTION + 1][v],
+                                   given.row[RSH_DIRECTION + 2][v], given.row[RSH_TMIN][v],
+                                   select((floatv)(-1.0f), given.row[RSH_TMAX][v], is_active));
         block->primitive[v] = (uintv)(RSH_NO_HIT);
         block->u[v] = block->v[v] = reach[v] = (floatv)(0.0f);
         for (uint axis = 0; axis < 3; ++axis) {
@@ -55,8 +54,8 @@ static void load_block(rsh_block* block, rsh_tile tile, uint b, __global const r
             const intv is_tiny =
                 is_active & (d != (floatv)(0.0f)) & (fabs(d) < (floatv)(0x1p-120f));
             tiny |= RSH_LANE_BITS(is_tiny);
-            reach[v] = greater(select((floatv)(0.0f), fabs(given.row[axis][v]), is_active),
-                               reach[v]);
+            reach[v] =
+                greater(select((floatv)(0.0f), fabs(given.row[axis][v]), is_active), reach[v]);
         }
     }
     block->pad = pad_of(largest_lane(reach));
@@ -127,17 +126,17 @@ static void fetch_corners(rsh_corners* corners, rsh_mesh mesh, __global const fl
 }
 
 /* see_corners of mesh/intersect.h, where all rays share kz: nothing to select. */
-#define RSH_SEE(axis_x, axis_y, axis_z, ox, oy, oz)                                            \
-    do {                                                                                       \
-        s.az = (floatv)(at[axis_z]) - oz;                                                      \
-        s.bz = (floatv)(at[3 + axis_z]) - oz;                                                  \
-        s.cz = (floatv)(at[6 + axis_z]) - oz;                                                  \
-        s.ax = ((floatv)(at[axis_x]) - ox) - r.slope_x * s.az;                                 \
-        s.bx = ((floatv)(at[3 + axis_x]) - ox) - r.slope_x * s.bz;                             \
-        s.cx = ((floatv)(at[6 + axis_x]) - ox) - r.slope_x * s.cz;                             \
-        s.ay = ((floatv)(at[axis_y]) - oy) - r.slope_y * s.az;                                 \
-        s.by = ((floatv)(at[3 + axis_y]) - oy) - r.slope_y * s.bz;                             \
-        s.cy = ((floatv)(at[6 + axis_y]) - oy) - r.slope_y * s.cz;                             \
+#define RSH_SEE(axis_x, axis_y, axis_z, ox, oy, oz)                \
+    do {                                                           \
+        s.az = (floatv)(at[axis_z]) - oz;                          \
+        s.bz = (floatv)(at[3 + axis_z]) - oz;                      \
+        s.cz = (floatv)(at[6 + axis_z]) - oz;                      \
+        s.ax = ((floatv)(at[axis_x]) - ox) - r.slope_x * s.az;     \
+        s.bx = ((floatv)(at[3 + axis_x]) - ox) - r.slope_x * s.bz; \
+        s.cx = ((floatv)(at[6 + axis_x]) - ox) - r.slope_x * s.cz; \
+        s.ay = ((floatv)(at[axis_y]) - oy) - r.slope_y * s.az;     \
+        s.by = ((floatv)(at[3 + axis_y]) - oy) - r.slope_y * s.bz; \
+        s.cy = ((floatv)(at[6 + axis_y]) - oy) - r.slope_y * s.cz; \
     } while (0)
 
 static rsh_seen see_triangle(rsh_sheared r, uint axis, const float* at)
@@ -213,8 +212,8 @@ static float16 interleave(float8 a, float8 b)
 }
 
 /* t u v primitive of sixteen rays, ray by ray; four of them lie in a row. */
-static void store_whole_block(float16 t, float16 u, float16 v, float16 primitive,
-                              rsh_tile tile, uint b, __global rsh_hit* hits)
+static void store_whole_block(float16 t, float16 u, float16 v, float16 primitive, rsh_tile tile,
+                              uint b, __global rsh_hit* hits)
 {
     const float16 tv[2] = {interleave(t.lo, v.lo), interleave(t.hi, v.hi)};
     const float16 up[2] = {interleave(u.lo, primitive.lo), interleave(u.hi, primitive.hi)};

@@ -6,9 +6,9 @@
  * A work-item owns the rays that it writes, and launches follow each other: no atomics. The one
  * that finishes runs does for a tile what the levels below it would have done.
  */
+#include "bvh/layout.h"
 #include "traverse/paper/intersect_runs.h"
 #include "traverse/paper/runs.h"
-#include "bvh/layout.h"
 #include "traverse/paper/siblings.h"
 
 __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global rsh_hit* hits)
@@ -21,12 +21,10 @@ __kernel void rsh_clear_hits(__global const rsh_ray* rays, uint count, __global 
 /* A work-item takes the blocks of a tile. */
 __kernel void rsh_intersect_runs(rsh_levels shape, rsh_mesh mesh,
                                  __global const float* vertices, __global const uint* indices,
-                                 __global const rsh_ray* rays,
-                                 __global const float* bounds,
-                                 __global const float* nodes,
-                                 __global const uint* triangles, __global const uint2* runs,
-                                 __global rsh_hit* hits, __global uint* occlusion,
-                                 uint occlusion_bit)
+                                 __global const rsh_ray* rays, __global const float* bounds,
+                                 __global const float* nodes, __global const uint* triangles,
+                                 __global const uint2* runs, __global rsh_hit* hits,
+                                 __global uint* occlusion, uint occlusion_bit)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
@@ -76,8 +74,7 @@ static void intersect_gathered(const rsh_run_target* target, rsh_tile tile,
  * triangles against the blocks, and the rays of those. groups: of the tiles' children. */
 __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh,
                               __global const float* vertices, __global const uint* indices,
-                              __global const rsh_ray* rays,
-                              __global const float* bounds,
+                              __global const rsh_ray* rays, __global const float* bounds,
                               __global const float* groups, __global const uint* triangles,
                               __global const uint2* runs, __global const uint* sums,
                               __global rsh_hit* hits, __global uint* occlusion,
@@ -89,9 +86,8 @@ __kernel void rsh_finish_runs(rsh_levels shape, rsh_run_step step, rsh_mesh mesh
     const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;
     const rsh_run run = run_of(step, runs, ancestor);
-    const rsh_run_target target = {
-        mesh, vertices,  indices,       rays,
-        hits, occlusion, occlusion_bit, bounds};
+    const rsh_run_target target = {mesh, vertices,  indices,       rays,
+                                   hits, occlusion, occlusion_bit, bounds};
     const rsh_tile tile = tile_at(shape, (__global const uint*)groups, me);
     rsh_siblings blocks;
     load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);

@@ -28,8 +28,7 @@ __kernel void rsh_count_runs(rsh_run_step step, __global const float* bounds,
         rsh_siblings nodes;
         load_siblings(&nodes, groups + (ulong)RSH_GROUP_FLOATS * (step.first_group + parent));
         for (uint i = piece.begin; i < piece.begin + piece.count; ++i) {
-            const uint met =
-                siblings_meeting(&nodes, bounds, triangle_at(step, triangles, i));
+            const uint met = siblings_meeting(&nodes, bounds, triangle_at(step, triangles, i));
             masks[i] = (ushort)met;
             count += ((uint16)(met) >> RSH_CHILDREN) & (uint16)(1);
         }

@@ -12,10 +12,10 @@ typedef struct rsh_run_step {
     rsh_uint pieces;      /* that a parent's run is cut into, a work-item each */
     rsh_uint first_group; /* the children of parent i are group first_group + i */
     rsh_uint first_parent_run, first_child_run; /* of node 0 */
-    rsh_uint capacity;    /* of the stream, in triangles */
-    rsh_uint is_root;     /* 1: the only parent's run is the batch, and stored nowhere */
+    rsh_uint capacity;                          /* of the stream, in triangles */
+    rsh_uint is_root; /* 1: the only parent's run is the batch, and stored nowhere */
     rsh_uint batch_first, batch_count; /* triangles */
-    rsh_uint is_counting; /* 1: a tally is wanted */
+    rsh_uint is_counting;              /* 1: a tally is wanted */
 } rsh_run_step;
 RSH_ASSERT_SIZE(rsh_run_step, 44);
 

@@ -4,8 +4,8 @@
  *                      first
  *   occlusion          in/out  any: a bit per ray
  */
-#include "traverse/paper_faithful/closest_hit_atomic.h"
 #include "lanes/stride.h"
+#include "traverse/paper_faithful/closest_hit_atomic.h"
 
 __kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
                             __global const uint* indices, __global const rsh_ray* rays,

@@ -35,10 +35,10 @@ static void test_pairs(const rsh_levels* levels, uint level, const rsh_pair* pai
         q[i] = quads + quad_index(levels, level, pairs[i].node);
         s[i] = spheres[pairs[i].triangle];
     }
-    const quads_meet_lanes lanes = {
-        RSH_GATHER(apex_x), RSH_GATHER(apex_y), RSH_GATHER(apex_z), RSH_GATHER(radius),
-        RSH_GATHER(axis_x), RSH_GATHER(axis_y), RSH_GATHER(axis_z), RSH_GATHER(sine),
-        RSH_SPREAD(x),      RSH_SPREAD(y),      RSH_SPREAD(z),      RSH_SPREAD(w)};
+    const quads_meet_lanes lanes = {RSH_GATHER(apex_x), RSH_GATHER(apex_y), RSH_GATHER(apex_z),
+                                    RSH_GATHER(radius), RSH_GATHER(axis_x), RSH_GATHER(axis_y),
+                                    RSH_GATHER(axis_z), RSH_GATHER(sine),   RSH_SPREAD(x),
+                                    RSH_SPREAD(y),      RSH_SPREAD(z),      RSH_SPREAD(w)};
 #if RSH_PAIRS == 4
     vstore16(quads_meet(&lanes), 0, survives);
 #elif RSH_PAIRS == 2

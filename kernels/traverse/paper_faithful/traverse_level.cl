@@ -13,12 +13,12 @@
 static void write_children(const rsh_levels* levels, uint level, rsh_pair pair,
                            const int* survives, ulong at, __global uint* candidates)
 {
-    const uint4 triangle = select((uint4)(RSH_NO_HIT), (uint4)(pair.triangle),
-                                  as_uint4(vload4(0, survives)));
+    const uint4 triangle =
+        select((uint4)(RSH_NO_HIT), (uint4)(pair.triangle), as_uint4(vload4(0, survives)));
     const uint4 node = child_names(levels, level, pair.node);
-    vstore8((uint8)(triangle.x, node.x, triangle.y, node.y, triangle.z, node.z, triangle.w,
-                    node.w),
-            at, candidates);
+    vstore8(
+        (uint8)(triangle.x, node.x, triangle.y, node.y, triangle.z, node.z, triangle.w, node.w),
+        at, candidates);
 }
 
 /* Pairs first .. first + count - 1, at most RSH_PAIRS of them; the last one fills up the

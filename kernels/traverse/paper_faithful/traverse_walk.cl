@@ -5,8 +5,8 @@
  * short list of pairs per level and always continues with the deepest one, so that a list is
  * empty before the level above fills it again.
  */
-#include "traverse/paper_faithful/closest_hit_atomic.h"
 #include "lanes/stride.h"
+#include "traverse/paper_faithful/closest_hit_atomic.h"
 #include "traverse/paper_faithful/test_pairs.h"
 
 /* Pairs taken off a list at a time; they leave at most four times as many on the next. */

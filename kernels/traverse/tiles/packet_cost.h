@@ -42,10 +42,10 @@ static rsh_hull hull_of(const rsh_work* work, uint blocks)
 
 /* The cost, in clusters met: the share that the box which the rays fill at the scene's far end
  * has of the scene's surface. side: of that box; numbers or vectors, with their `lesser`. */
-#define RSH_COST(side, size, cluster_size, lesser)                    \
-    ((lesser(side[0], size) * lesser(side[1], size) +                 \
-      lesser(side[1], size) * lesser(side[2], size) +                 \
-      lesser(side[2], size) * lesser(side[0], size)) /                \
+#define RSH_COST(side, size, cluster_size, lesser)     \
+    ((lesser(side[0], size) * lesser(side[1], size) +  \
+      lesser(side[1], size) * lesser(side[2], size) +  \
+      lesser(side[2], size) * lesser(side[0], size)) / \
      (cluster_size))
 
 static float cost_of(const rsh_work* work, const rsh_hull* hull)

@@ -9,7 +9,7 @@
 typedef struct rsh_lone_ray {
     uint near_row[3], far_row[3]; /* of a group: where its bounds of t lie */
     float near_origin[3], far_origin[3], inverse[3];
-    float limit; /* tmax, raised; negative: retired */
+    float limit;   /* tmax, raised; negative: retired */
     uint k_row[3]; /* of a corner: the axes x y z of rsh_sheared */
     float k_origin[3], slope_x, slope_y, inverse_z, tmin, tmax;
     float u, v;

@@ -8,7 +8,7 @@
 typedef struct rsh_scene_in {
     __global const float* boxes;
     rsh_scene_shape shape;
-    uint top; /* group */
+    uint top;       /* group */
     float clusters; /* about how many */
 } rsh_scene_in;
 
@@ -86,9 +86,8 @@ typedef struct rsh_box {
 static rsh_box load_box(const rsh_work* work, uint number)
 {
     __global const float* at = group_of(work, number / 16) + number % 16;
-    return (rsh_box){as_uint(at[RSH_BELOW_AT]),
-                     {at[0], at[16], at[32]},
-                     {at[48], at[64], at[80]}};
+    return (rsh_box){
+        as_uint(at[RSH_BELOW_AT]), {at[0], at[16], at[32]}, {at[48], at[64], at[80]}};
 }
 
 static float near_of(ulong entry) { return as_float((uint)(entry >> 32)); }

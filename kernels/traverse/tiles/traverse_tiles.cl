@@ -56,8 +56,8 @@ static void lower_limit(const rsh_work* work, rsh_probe* probe)
 static void visit_box(rsh_work* work, rsh_probe* probe, const rsh_box* box)
 {
     work->node_tests += 16;
-    uint blocks = bundles_meeting(&work->blocks, &probe->bundle, box->low, box->high) &
-                  probe->blocks;
+    uint blocks =
+        bundles_meeting(&work->blocks, &probe->bundle, box->low, box->high) & probe->blocks;
     const uint few = RSH_FEW_BLOCKS + probe->wasted;
     probe->wasted = blocks ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
     if (!blocks) return;
@@ -192,8 +192,8 @@ static void store_answers(const rsh_work* work, __global rsh_hit* hits,
 __kernel void rsh_traverse_tiles(rsh_scene_shape scene_shape, __global const float* boxes,
                                  rsh_levels shape, __global const rsh_ray* rays,
                                  __global const float* nodes, __global rsh_hit* hits,
-                                 __global uint* occlusion, uint occlusion_bit,
-                                 uint is_counting, __global uint* counts)
+                                 __global uint* occlusion, uint occlusion_bit, uint is_counting,
+                                 __global uint* counts)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
