@@ -63,14 +63,14 @@ RSH_ASSERT_SIZE(rsh_hit, 16);
 
 /* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
- * Level 0 holds the rays. A node of level l + 1 has fan * fan children of level l: node (x, y)
- * those from (fan * x, fan * y) on, row by row; in a list, a run of fan * fan. A node's index
+ * Level 0 holds the rays. A node of level l + 1 has branching * branching children of level l: node (x, y)
+ * those from (branching * x, branching * y) on, row by row; in a list, a run of branching * branching. A node's index
  * is y * width[l] + x; children outside of the level are inactive.
  *
- * cone: fan 2, level `count` is the root; the children of a node are one rsh_node_quad, number
- *       first_quad[l] + index.
- * box:  fan 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
- *       one rsh_node_group, number index. Behind those of a list lie a word per ray and one
+ * cone: branching 2, level `count` is the root; the children of a node are one cone_node4, number
+ *       first_child_group[l] + index.
+ * box:  branching 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
+ *       one box_node16, number index. Behind those of a list lie a word per ray and one
  *       more. If that is 1, the list is sorted: the words are the rays in their order, and
  *       children mean places in it. */
 typedef struct rsh_levels {
@@ -78,8 +78,8 @@ typedef struct rsh_levels {
     rsh_uint is_list; /* 1: every level has height 1, children in a row */
     rsh_uint width[RSH_MAX_LEVELS + 1];
     rsh_uint height[RSH_MAX_LEVELS + 1];
-    rsh_uint first_quad[RSH_MAX_LEVELS + 1]; /* of the nodes of level l; [count]: all of them */
-    rsh_uint fan;
+    rsh_uint first_child_group[RSH_MAX_LEVELS + 1]; /* of the nodes of level l; [count]: all of them */
+    rsh_uint branching;
 } rsh_levels;
 RSH_ASSERT_SIZE(rsh_levels, 216);
 

@@ -1,12 +1,12 @@
 /* layout.h - what rsh_bound makes for the bound `box`, and how to find one's way in it:
- *   head      rsh_bounds_head: what the rest is of
- *   clusters  RSH_CLUSTERS x rsh_cluster: triangles that lie close together. Where a part needs
+ *   head      bvh_head: what the rest is of
+ *   leaves  RSH_LEAVES x bvh_leaf: triangles that lie close together. Where a part needs
  *             fewer than it has room for, the others hold none
- *   groups    RSH_GROUPS x rsh_box_group: of clusters and of other groups; those of the parts
+ *   nodes    RSH_NODES x bvh_node: of leaves and of other nodes; those of the parts
  *             first, then those above
  *   order     a word per triangle: its number, by its place (bvh/order.cl)
- *   surveys   RSH_SURVEYS x rsh_survey, of the order when it was made
- *   counts    rsh_part_counts per part
+ *   qualities   RSH_QUALITY_SAMPLES x refit_quality, of the order when it was made
+ *   counts    bvh_part per part
  */
 #ifndef RSH_BVH_LAYOUT_H
 #define RSH_BVH_LAYOUT_H
@@ -14,68 +14,64 @@
 #include "bvh/types.h"
 
 #define RSH_HEAD_WORDS 16ul
-#define RSH_CLUSTER_WORDS 160ul
-#define RSH_GROUP_WORDS 112ul
+#define RSH_LEAF_WORDS 160ul
+#define RSH_NODE_WORDS 112ul
 
-/* Where the words of rsh_cluster::triangle and rsh_box_group::below are. */
+/* Where the words of bvh_leaf::triangle and bvh_node::child are. */
 #define RSH_TRIANGLES_AT 144
-#define RSH_BELOW_AT 96
+#define RSH_CHILDREN_AT 96
 
-static ulong cluster_at(uint cluster) { return RSH_HEAD_WORDS + RSH_CLUSTER_WORDS * cluster; }
+static ulong leaf_at(uint leaf) { return RSH_HEAD_WORDS + RSH_LEAF_WORDS * leaf; }
 
-/* How a group names a cluster that is in it. */
-static uint below_cluster(uint cluster, bool is_scaled)
+/* How a node names a leaf that is in it. */
+static uint child_of_leaf(uint leaf, bool is_scaled)
 {
-    return cluster | RSH_IS_CLUSTER | (is_scaled ? RSH_SCALED : 0);
+    return leaf | RSH_IS_LEAF | (is_scaled ? RSH_SCALED : 0);
 }
 
 /* Sides of a box that holds nothing: low x y z, high x y z. */
-static float no_side(uint f) { return f < 3 ? INFINITY : -INFINITY; }
+static float empty_side(uint f) { return f < 3 ? INFINITY : -INFINITY; }
 
-/* Place: 16 * cluster + where in it. */
-static uint triangle_in_place(__global const float* boxes, uint place)
+/* Place: 16 * leaf + where in it. */
+static uint triangle_at_place(__global const float* bvh, uint place)
 {
-    __global const float* cluster = boxes + cluster_at(place / 16);
-    return as_uint(cluster[RSH_TRIANGLES_AT + place % 16]);
+    __global const float* leaf = bvh + leaf_at(place / 16);
+    return as_uint(leaf[RSH_TRIANGLES_AT + place % 16]);
 }
 
-static ulong box_group_at(const rsh_scene_shape* shape, uint group)
+static ulong node_at(const bvh_layout* layout, uint node)
 {
-    return cluster_at(RSH_CLUSTERS(*shape)) + RSH_GROUP_WORDS * group;
+    return leaf_at(RSH_LEAVES(*layout)) + RSH_NODE_WORDS * node;
 }
 
-static __global rsh_bounds_head* bounds_head(__global float* boxes)
-{
-    return (__global rsh_bounds_head*)boxes;
-}
+static __global bvh_head* head_of(__global float* bvh) { return (__global bvh_head*)bvh; }
 
-static __global const rsh_bounds_head* bounds_head_of(__global const float* boxes)
+static __global const bvh_head* const_head_of(__global const float* bvh)
 {
-    return (__global const rsh_bounds_head*)boxes;
+    return (__global const bvh_head*)bvh;
 }
 
 /* Nothing else of the bounds may be read before this is true. */
-static bool are_made_of(__global const float* boxes, rsh_scene_shape shape)
+static bool are_made_of(__global const float* bvh, bvh_layout layout)
 {
-    const rsh_bounds_head head = *bounds_head_of(boxes);
-    return head.made == RSH_BOUNDS_MADE && head.shape.triangles == shape.triangles &&
-           head.shape.part == shape.part && head.shape.parts == shape.parts &&
-           head.shape.part_clusters == shape.part_clusters &&
-           head.shape.part_groups == shape.part_groups &&
-           head.shape.upper_groups == shape.upper_groups;
+    const bvh_head head = *const_head_of(bvh);
+    return head.made == RSH_BVH_MADE && head.layout.triangles == layout.triangles &&
+           head.layout.part == layout.part && head.layout.parts == layout.parts &&
+           head.layout.part_leaves == layout.part_leaves &&
+           head.layout.part_nodes == layout.part_nodes &&
+           head.layout.upper_nodes == layout.upper_nodes;
 }
 
 /* By part. */
-static __global rsh_part_counts* part_counts(const rsh_scene_shape* shape,
-                                             __global float* boxes)
+static __global bvh_part* bvh_parts(const bvh_layout* layout, __global float* bvh)
 {
-    return (__global rsh_part_counts*)(boxes + RSH_COUNTS_AT(*shape));
+    return (__global bvh_part*)(bvh + RSH_PARTS_AT(*layout));
 }
 
-/* The first group that is above clusters of several parts. */
-static uint first_upper_group(const rsh_scene_shape* shape)
+/* The first node that is above leaves of several parts. */
+static uint first_upper_node(const bvh_layout* layout)
 {
-    return shape->parts * shape->part_groups;
+    return layout->parts * layout->part_nodes;
 }
 
 #endif

@@ -1,11 +1,11 @@
-/* leaf_cuts.h - a row of boxes, cut into runs of 8 to 16 so that the boxes around the runs have
+/* leaf_cuts.h - a row of boxes, cut into ranges of 8 to 16 so that the boxes around the ranges have
  * the least surface. Along a curve, what is close lies together, but where one object ends and
- * the next begins is anywhere: runs of 16 each straddle it, and rays meet them for nothing.
- * Half as many clusters are opened where the cuts are free.
+ * the next begins is anywhere: ranges of 16 each straddle it, and rays meet them for nothing.
+ * Half as many leaves are opened where the cuts are free.
  *
- * The least sum of surfaces, and a price per run, of any cuts before place j is
- *   least(j) = min over l = 8 .. 16 of  least(j - l) + surface of [j - l, j) + price
- * (dynamic programming). Runs are at least 8 long, so that 8 places can be looked at at once;
+ * The least sum of surfaces, and a cost per range, of any cuts before place j is
+ *   least(j) = min over l = 8 .. 16 of  least(j - l) + surface of [j - l, j) + cost
+ * (dynamic programming). Ranges are at least 8 long, so that 8 places can be looked at at once;
  * and the box around any of them is that around its first 8 and its last 8.
  */
 #ifndef RSH_BVH_LEAF_CUTS_H
@@ -13,22 +13,22 @@
 
 #include "mesh/boxes16.h"
 
-#define RSH_LEAST_RUN 8
-#define RSH_MEAN_RUN 14.0f /* about */
+#define RSH_LEAST_RANGE 8
+#define RSH_MEAN_RANGE 14.0f /* about */
 
 /* Boxes looked at at once. Cuts far from the end do not depend on what follows; the last two
- * runs wait for it. */
+ * ranges wait for it. */
 #define RSH_WINDOW 192
-#define RSH_WAITING 2
+#define RSH_OPEN_RANGES 2
 
-/* Boxes in a row, and their runs from the first on. */
-typedef struct rsh_row {
+/* Boxes in a row, and their ranges from the first on. */
+typedef struct box_row {
     float side[6][RSH_WINDOW + 16];  /* low x y z, high x y z */
     float eight[6][RSH_WINDOW + 24]; /* of the box around 8, from box i on: at 8 + i */
     uint count;
-    uint run[RSH_WINDOW / RSH_LEAST_RUN + 1];
-    uint runs;
-} rsh_row;
+    uint range_length[RSH_WINDOW / RSH_LEAST_RANGE + 1];
+    uint range_count;
+} box_row;
 
 #define RSH_LESSER8(a, b) select(b, a, a < b)
 #define RSH_GREATER8(a, b) select(b, a, a > b)
@@ -42,7 +42,7 @@ typedef struct rsh_row {
 
 /* From the last box to the first, in registers: what is read had otherwise just been written in
  * pieces of another size, which a CPU waits for. What lies behind the row does not matter. */
-static void bound_eights(rsh_row* row)
+static void bound_eights(box_row* row)
 {
     for (uint f = 0; f < 6; ++f) {
         const bool low = f < 3;
@@ -71,7 +71,7 @@ static float8 surfaces_of(const float8* side)
 }
 
 /* Of the boxes around eight[at], at + 1, ... and `last`. */
-static float8 surfaces_from(const rsh_row* row, uint at, const float8* last)
+static float8 surfaces_from(const box_row* row, uint at, const float8* last)
 {
     float8 around[6];
 #pragma unroll
@@ -82,9 +82,9 @@ static float8 surfaces_from(const rsh_row* row, uint at, const float8* last)
     return surfaces_of(around);
 }
 
-/* length[j]: of the run that ends before place j, for the best cuts up to there. No runs end at
+/* length[j]: of the range that ends before place j, for the best cuts up to there. No ranges end at
  * places before the row, nor at 1 to 7. */
-static void find_cuts(const rsh_row* row, float price, int* length)
+static void find_cuts(const box_row* row, float range_cost, int* length)
 {
     float16 least = (float16)(FLT_MAX); /* of the last 16 places */
     least.s8 = 0.0f;
@@ -92,52 +92,52 @@ static void find_cuts(const rsh_row* row, float price, int* length)
         float16 before = least; /* read in parts: stored once, as a whole */
         const float* place = (const float*)&before;
         float8 last[6], sum = (float8)(FLT_MAX);
-        int8 run = (int8)(16);
+        int8 best_length = (int8)(16);
 #pragma unroll
         for (uint f = 0; f < 6; ++f) last[f] = vload8(0, row->eight[f] + j);
-        for (uint l = 16; l >= RSH_LEAST_RUN; --l) {
+        for (uint l = 16; l >= RSH_LEAST_RANGE; --l) {
             const float8 here = vload8(0, place + 16 - l) + surfaces_from(row, 8 + j - l, last);
             const int8 is_less = here < sum;
             sum = select(sum, here, is_less);
-            run = select(run, (int8)((int)l), is_less);
+            best_length = select(best_length, (int8)((int)l), is_less);
         }
-        vstore8(run, 0, length + j);
-        least = (float16)(least.hi, sum + price);
+        vstore8(best_length, 0, length + j);
+        least = (float16)(least.hi, sum + range_cost);
     }
 }
 
-/* is_last: the row ends here. Else its last boxes are in no run yet. */
-static void cut_row(rsh_row* row, float price, bool is_last)
+/* is_last: the row ends here. Else its last boxes are in no range yet. */
+static void cut_row(box_row* row, float range_cost, bool is_last)
 {
-    row->runs = 0;
-    if (row->count < RSH_LEAST_RUN) {
-        if (row->count) row->run[row->runs++] = row->count;
+    row->range_count = 0;
+    if (row->count < RSH_LEAST_RANGE) {
+        if (row->count) row->range_length[row->range_count++] = row->count;
         return;
     }
     int length[RSH_WINDOW + 8];
     bound_eights(row);
-    find_cuts(row, price, length);
-    for (uint j = row->count; j > 0; j -= length[j]) ++row->runs;
-    uint r = row->runs;
-    for (uint j = row->count; j > 0; j -= length[j]) row->run[--r] = length[j];
-    if (!is_last) row->runs -= RSH_WAITING;
+    find_cuts(row, range_cost, length);
+    for (uint j = row->count; j > 0; j -= length[j]) ++row->range_count;
+    uint r = row->range_count;
+    for (uint j = row->count; j > 0; j -= length[j]) row->range_length[--r] = length[j];
+    if (!is_last) row->range_count -= RSH_OPEN_RANGES;
 }
 
-/* Runs of 16, whatever lies there. */
-static void cut_evenly(rsh_row* row, bool is_last)
+/* Ranges of 16, whatever lies there. */
+static void cut_evenly(box_row* row, bool is_last)
 {
     bound_eights(row);
-    row->runs = row->count / 16;
-    for (uint r = 0; r < row->runs; ++r) row->run[r] = 16;
-    if (is_last && row->count % 16) row->run[row->runs++] = row->count % 16;
+    row->range_count = row->count / 16;
+    for (uint r = 0; r < row->range_count; ++r) row->range_length[r] = 16;
+    if (is_last && row->count % 16) row->range_length[row->range_count++] = row->count % 16;
 }
 
-/* Sides of the box around a run. */
-static void bound_run(const rsh_row* row, uint first, uint length, float* side)
+/* Sides of the box around a range. */
+static void bound_range(const box_row* row, uint first, uint length, float* side)
 {
 #pragma unroll
     for (uint f = 0; f < 6; ++f) {
-        if (length >= RSH_LEAST_RUN) {
+        if (length >= RSH_LEAST_RANGE) {
             __private const float* eight = row->eight[f] + 8 + first;
             const float a = eight[0], b = eight[length - 8];
             side[f] = (f < 3) == (a < b) ? a : b;
@@ -156,7 +156,7 @@ static void shift_words(float* words, uint done, uint count)
 }
 
 /* Moves what is left behind the first `done` boxes to the front. */
-static void shift_row(rsh_row* row, uint done)
+static void shift_row(box_row* row, uint done)
 {
     row->count -= done;
     for (uint f = 0; f < 6; ++f) shift_words(row->side[f], done, row->count);

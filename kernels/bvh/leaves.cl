@@ -1,52 +1,52 @@
-/* leaves.cl - clusters of triangles that lie close together, and groups of clusters and
- * groups, up to one. For this frame alone, groups are runs along the curve as clusters are;
+/* leaves.cl - leaves of triangles that lie close together, and nodes of leaves and
+ * nodes, up to one. For this frame alone, nodes are ranges along the curve as leaves are;
  * where they are to be kept, they come out of a binary tree, which pays over some frames.
  *   vertices, indices  in      triangles
- *   spans              in      the scene's extent, from rsh_order_measure
- *   boxes              in/out  see bvh/layout.h; in: the order of the triangles
- *   loose              -       boxes around clusters, by their numbers, then around groups
- *   tree               -       RSH_TREE_WORDS; see kernel_types.h
+ *   samples              in      the scene's extent, from rsh_order_measure
+ *   bvh                in/out  see bvh/layout.h; in: the order of the triangles
+ *   child_boxes              -       boxes around leaves, by their numbers, then around nodes
+ *   tree               -       RSH_TREE_WORDS; see bvh/types.h
  * Nothing is done where the order is the one that there was: bvh/refit.cl.
  * Does not look at rays.
  */
 #include "bvh/collapse16.h"
 #include "bvh/leaf_cuts.h"
-#include "bvh/nodes_from_runs.h"
+#include "bvh/nodes_from_ranges.h"
 #include "bvh/ploc.h"
 #include "order/sort.h"
 
-/* What a run costs besides its surface, as a part of the scene's by the number of runs. The
- * mean surface of clusters is 3 to 9 times that; between a tenth and two thirds of it, what
+/* What a range costs besides its surface, as a part of the scene's by the number of ranges. The
+ * mean surface of leaves is 3 to 9 times that; between a tenth and two thirds of it, what
  * rays open hardly changes. */
-#define RSH_PRICE 1.5f
-#define RSH_RUN_PRICE (RSH_MEAN_RUN * RSH_PRICE) /* the same of groups */
+#define RSH_LEAF_COST 1.5f
+#define RSH_RANGE_NODE_COST (RSH_MEAN_RANGE * RSH_LEAF_COST) /* the same of nodes */
 
-/* A cluster's share of the scene's surface; never 0, so that each has a price. */
-static float share_of(const rsh_span* scene, uint triangles)
+/* A leaf's share of the scene's surface; never 0, so that each has a cost. */
+static float mean_leaf_surface(const sample_bounds* scene, uint triangles)
 {
     const float surface = surface_of(scene->low, scene->high);
-    return clamp(surface * RSH_MEAN_RUN / (float)triangles, 1e-30f, RSH_MOST_SURFACE);
+    return clamp(surface * RSH_MEAN_RANGE / (float)triangles, 1e-30f, RSH_MOST_SURFACE);
 }
 
-/* A part of the triangles on its way into clusters: some of them in a row. */
-typedef struct rsh_part_in {
-    rsh_row row; /* boxes around triangles, not padded */
+/* A part of the triangles on its way into leaves: some of them in a row. */
+typedef struct leaf_builder {
+    box_row row; /* boxes around triangles, not padded */
     float corner[9][RSH_WINDOW + 16];
     uint triangle[RSH_WINDOW + 16]; /* numbers */
     uint next, end;                 /* places of those not in the row yet */
-    uint clusters, first_cluster;   /* made so far, and the number of the first */
+    uint leaves, first_leaf;        /* made so far, and the number of the first */
     uint cut;                       /* triangles in these */
-} rsh_part_in;
+} leaf_builder;
 
-/* clusters: where they will be stored, in bursts that should find their lines in the cache. */
-static void load_triangles(rsh_part_in* part, rsh_mesh mesh, __global const float* vertices,
+/* leaves: where they will be stored, in bursts that should find their lines in the cache. */
+static void load_triangles(leaf_builder* part, mesh_view mesh, __global const float* vertices,
                            __global const uint* indices, __global const uint* order,
-                           __global const float* clusters)
+                           __global const float* leaves)
 {
     for (; part->row.count + 16 <= RSH_WINDOW && part->next < part->end; part->next += 16) {
         const uint at = part->row.count;
-        rsh_corner_rows corners;
-        rsh_boxes boxes;
+        corner_rows corners;
+        boxes16 boxes;
         load_corners(mesh, vertices, indices, order, part->next, &corners);
         boxes_of_corners(&corners, &boxes);
         for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -64,27 +64,27 @@ static void load_triangles(rsh_part_in* part, rsh_mesh mesh, __global const floa
             store_whole_uint(__private, triangles_from(mesh, order, part->next + RSH_WIDTH * v),
                              part->triangle + at + RSH_WIDTH * v);
         }
-        expect_stores(clusters + cluster_at(part->first_cluster + part->clusters + at / 15));
+        expect_stores(leaves + leaf_at(part->first_leaf + part->leaves + at / 15));
         part->row.count += min(16u, part->end - part->next);
     }
 }
 
-/* A part with more clusters than it has room for goes on with full ones: at least 14 triangles
+/* A part with more leaves than it has room for goes on with full ones: at least 14 triangles
  * to each on the average, but for three. */
-static void cut_triangles(rsh_part_in* part, float price)
+static void cut_triangles(leaf_builder* part, float leaf_cost)
 {
     const bool is_last = part->next >= part->end;
-    cut_row(&part->row, price, is_last);
+    cut_row(&part->row, leaf_cost, is_last);
     uint done = part->cut;
-    for (uint r = 0; r < part->row.runs; ++r) done += part->row.run[r];
-    if (14 * (part->clusters + part->row.runs) > done + 28) cut_evenly(&part->row, is_last);
+    for (uint r = 0; r < part->row.range_count; ++r) done += part->row.range_length[r];
+    if (14 * (part->leaves + part->row.range_count) > done + 28)
+        cut_evenly(&part->row, is_last);
 }
 
 /* Returns whether mesh/intersect.h has any of the triangles to scale. */
-static bool store_cluster(const rsh_part_in* part, uint first, uint length,
-                          __global float* cluster)
+static bool store_leaf(const leaf_builder* part, uint first, uint length, __global float* leaf)
 {
-    rsh_corner_rows corners;
+    corner_rows corners;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
 #pragma unroll
@@ -95,34 +95,34 @@ static bool store_cluster(const rsh_part_in* part, uint first, uint length,
         const uintv triangle =
             select((uintv)(RSH_NO_HIT), load_lanes(part->triangle + first + RSH_WIDTH * v),
                    as_uintv(is_there));
-        store_whole_uint(__global, triangle, cluster + RSH_TRIANGLES_AT + RSH_WIDTH * v);
+        store_whole_uint(__global, triangle, leaf + RSH_TRIANGLES_AT + RSH_WIDTH * v);
     }
-    store_corners(&corners, cluster);
+    store_corners(&corners, leaf);
     return is_any_scaled(&corners);
 }
 
-static void clear_clusters(__global float* cluster, uint count)
+static void clear_leaves(__global float* leaf, uint count)
 {
-    for (; count > 0; --count, cluster += RSH_CLUSTER_WORDS) {
-        for (uint i = 0; i < 9; ++i) vstore16((float16)(INFINITY), i, cluster);
-        vstore16((uint16)(RSH_NO_HIT), 0, (__global uint*)cluster + RSH_TRIANGLES_AT);
+    for (; count > 0; --count, leaf += RSH_LEAF_WORDS) {
+        for (uint i = 0; i < 9; ++i) vstore16((float16)(INFINITY), i, leaf);
+        vstore16((uint16)(RSH_NO_HIT), 0, (__global uint*)leaf + RSH_TRIANGLES_AT);
     }
 }
 
-/* And leaves the boxes around them in `loose`. */
-static void store_clusters(rsh_part_in* part, __global float* boxes,
-                           __global rsh_loose_box* loose)
+/* And leaves the boxes around them in `child_boxes`. */
+static void store_leaves(leaf_builder* part, __global float* bvh,
+                         __global child_box* child_boxes)
 {
     uint first = 0;
-    for (uint r = 0; r < part->row.runs; ++r) {
-        const uint length = part->row.run[r];
-        const uint cluster = part->first_cluster + part->clusters++;
-        rsh_loose_box around;
-        bound_run(&part->row, first, length, around.side);
+    for (uint r = 0; r < part->row.range_count; ++r) {
+        const uint length = part->row.range_length[r];
+        const uint leaf = part->first_leaf + part->leaves++;
+        child_box around;
+        bound_range(&part->row, first, length, around.side);
         pad_box(around.side);
-        const bool is_scaled = store_cluster(part, first, length, boxes + cluster_at(cluster));
-        around.below = below_cluster(cluster, is_scaled);
-        loose[cluster] = around;
+        const bool is_scaled = store_leaf(part, first, length, bvh + leaf_at(leaf));
+        around.child = child_of_leaf(leaf, is_scaled);
+        child_boxes[leaf] = around;
         first += length;
     }
     part->cut += first;
@@ -132,118 +132,119 @@ static void store_clusters(rsh_part_in* part, __global float* boxes,
 }
 
 /* Up to the highest branches of a part. */
-static void grow_part(const rsh_tree* tree, float price, uint part, uint clusters)
+static void grow_part(const binary_tree* tree, float node_cost, uint part, uint leaves)
 {
-    const uint first = part * tree->shape.part_clusters;
-    rsh_tops tops = no_tops(tree, part);
-    for (uint c = 0; c < clusters; ++c) add_top(tree, &tops, first + c);
-    grow_tree(tree, price, &tops, RSH_CLUSTERS(tree->shape) + first, RSH_PART_TOPS);
-    __global rsh_tree_part* made = tree->parts + part;
-    for (uint i = 0; i < tops.count; ++i) made->top[i] = tops.number[i];
-    made->tops = tops.count;
+    const uint first = part * tree->layout.part_leaves;
+    active_nodes active = no_active_nodes(tree, part);
+    for (uint c = 0; c < leaves; ++c) add_active_node(tree, &active, first + c);
+    grow_tree(tree, node_cost, &active, RSH_LEAVES(tree->layout) + first, RSH_PART_ROOTS);
+    __global tree_part* made = tree->parts + part;
+    for (uint i = 0; i < active.count; ++i) made->root[i] = active.number[i];
+    made->roots = active.count;
     made->waiting = RSH_NO_BRANCH;
-    made->first_group = (part + 1) * tree->shape.part_groups;
+    made->first_node = (part + 1) * tree->layout.part_nodes;
 }
 
-/* A work-item makes the clusters of a part, and the groups or the tree above them. */
-__kernel void rsh_bound_clusters(rsh_mesh mesh, __global const float* vertices,
-                                 __global const uint* indices, rsh_scene_shape scene_shape,
-                                 __global const rsh_sorting* sorting, uint span_count,
-                                 __global const rsh_span* spans, uint is_kept,
-                                 __global float* boxes, __global rsh_loose_box* loose,
-                                 __global float* tree)
+/* A work-item makes the leaves of a part, and the nodes or the tree above them. */
+__kernel void rsh_leaves(mesh_view mesh, __global const float* vertices,
+                         __global const uint* indices, bvh_layout given_layout,
+                         __global const sort_plan* sorting, uint sample_count,
+                         __global const sample_bounds* samples, uint is_quality,
+                         __global float* bvh, __global child_box* child_boxes,
+                         __global float* tree)
 {
-    const rsh_scene_shape shape = scene_shape;
+    const bvh_layout layout = given_layout;
     const uint me = get_global_id(0);
-    if (me >= shape.parts) return; /* launch is rounded up to whole groups */
+    if (me >= layout.parts) return; /* launch is rounded up to whole groups */
     if (!sorting->is_needed) return;
-    __global const uint* order = (__global const uint*)boxes + RSH_ORDER_AT(shape);
-    const rsh_span scene = whole_span(spans, span_count);
-    const float share = share_of(&scene, shape.triangles);
-    rsh_part_in part;
-    part.row.count = part.clusters = part.cut = 0;
-    part.first_cluster = me * shape.part_clusters;
-    part.next = me * shape.part;
-    part.end = min(part.next + shape.part, shape.triangles);
+    __global const uint* order = (__global const uint*)bvh + RSH_ORDER_AT(layout);
+    const sample_bounds scene = merged_bounds(samples, sample_count);
+    const float leaf_surface = mean_leaf_surface(&scene, layout.triangles);
+    leaf_builder part;
+    part.row.count = part.leaves = part.cut = 0;
+    part.first_leaf = me * layout.part_leaves;
+    part.next = me * layout.part;
+    part.end = min(part.next + layout.part, layout.triangles);
     while (part.next < part.end || part.row.count) {
-        load_triangles(&part, mesh, vertices, indices, order, boxes);
-        cut_triangles(&part, RSH_PRICE * share);
-        store_clusters(&part, boxes, loose);
+        load_triangles(&part, mesh, vertices, indices, order, bvh);
+        cut_triangles(&part, RSH_LEAF_COST * leaf_surface);
+        store_leaves(&part, bvh, child_boxes);
     }
-    __global rsh_part_counts* counts = part_counts(&shape, boxes) + me;
-    counts->clusters = part.clusters;
-    clear_clusters(boxes + cluster_at(part.first_cluster + part.clusters),
-                   shape.part_clusters - part.clusters);
-    if (!is_kept) {
-        counts->groups =
-            group_part(&shape, RSH_RUN_PRICE * share, me, part.clusters, boxes, loose);
+    __global bvh_part* counts = bvh_parts(&layout, bvh) + me;
+    counts->leaves = part.leaves;
+    clear_leaves(bvh + leaf_at(part.first_leaf + part.leaves),
+                 layout.part_leaves - part.leaves);
+    if (!is_quality) {
+        counts->nodes = nodes_of_part(&layout, RSH_RANGE_NODE_COST * leaf_surface, me,
+                                      part.leaves, bvh, child_boxes);
         return;
     }
-    const rsh_tree growing = tree_in(shape, loose, tree);
-    grow_part(&growing, RSH_GROUP_PRICE * share, me, part.clusters);
+    const binary_tree growing = tree_in(layout, child_boxes, tree);
+    grow_part(&growing, RSH_TREE_NODE_COST * leaf_surface, me, part.leaves);
 }
 
-/* Groups of the parts' groups; one work-item: there are 200 times fewer than triangles. */
-__kernel void rsh_bound_levels(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
-                               uint span_count, __global const rsh_span* spans,
-                               __global float* boxes, __global rsh_loose_box* loose)
+/* Nodes of the parts' nodes; one work-item: there are 200 times fewer than triangles. */
+__kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort_plan* sorting,
+                                    uint sample_count, __global const sample_bounds* samples,
+                                    __global float* bvh, __global child_box* child_boxes)
 {
     if (get_global_id(0) != 0 || !sorting->is_needed) return;
-    const rsh_scene_shape shape = scene_shape;
-    const rsh_span scene = whole_span(spans, span_count);
-    const float price = RSH_RUN_PRICE * share_of(&scene, shape.triangles);
-    const rsh_group_range groups = group_levels(&shape, RSH_MEAN_RUN * price, boxes, loose);
-    *bounds_head(boxes) = (rsh_bounds_head){RSH_BOUNDS_MADE, shape, groups};
+    const bvh_layout layout = given_layout;
+    const sample_bounds scene = merged_bounds(samples, sample_count);
+    const float node_cost = RSH_RANGE_NODE_COST * mean_leaf_surface(&scene, layout.triangles);
+    const node_range nodes =
+        nodes_above_parts(&layout, RSH_MEAN_RANGE * node_cost, bvh, child_boxes);
+    *head_of(bvh) = (bvh_head){RSH_BVH_MADE, layout, nodes};
 }
 
-/* The tree above the parts, and the groups at its top; one work-item: a part leaves 4 boxes. */
-__kernel void rsh_bound_top(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
-                            uint span_count, __global const rsh_span* spans,
-                            __global float* boxes, __global const rsh_loose_box* loose,
-                            __global float* tree)
+/* The tree above the parts, and the nodes at its top; one work-item: a part leaves 4 boxes. */
+__kernel void rsh_nodes_tree_top(bvh_layout given_layout, __global const sort_plan* sorting,
+                                 uint sample_count, __global const sample_bounds* samples,
+                                 __global float* bvh, __global const child_box* child_boxes,
+                                 __global float* tree)
 {
     if (get_global_id(0) != 0 || !sorting->is_needed) return;
-    const rsh_scene_shape shape = scene_shape;
-    const rsh_span scene = whole_span(spans, span_count);
-    const float price = RSH_GROUP_PRICE * share_of(&scene, shape.triangles);
-    const rsh_tree growing = tree_in(shape, loose, tree);
-    rsh_tops tops = no_tops(&growing, shape.parts);
-    for (uint p = 0; p < shape.parts; ++p)
-        for (uint i = 0; i < growing.parts[p].tops; ++i)
-            add_top(&growing, &tops, growing.parts[p].top[i]);
-    grow_tree(&growing, price, &tops, 2 * RSH_CLUSTERS(shape), 1);
-    __global rsh_tree_part* above = growing.parts + shape.parts;
-    const uint end = RSH_GROUPS(shape);
+    const bvh_layout layout = given_layout;
+    const sample_bounds scene = merged_bounds(samples, sample_count);
+    const float node_cost = RSH_TREE_NODE_COST * mean_leaf_surface(&scene, layout.triangles);
+    const binary_tree growing = tree_in(layout, child_boxes, tree);
+    active_nodes active = no_active_nodes(&growing, layout.parts);
+    for (uint p = 0; p < layout.parts; ++p)
+        for (uint i = 0; i < growing.parts[p].roots; ++i)
+            add_active_node(&growing, &active, growing.parts[p].root[i]);
+    grow_tree(&growing, node_cost, &active, 2 * RSH_LEAVES(layout), 1);
+    __global tree_part* above = growing.parts + layout.parts;
+    const uint end = RSH_NODES(layout);
     above->waiting = RSH_NO_BRANCH;
-    above->first_group = end - 1;
-    make_group(&growing, tops.number[0], end - 1, boxes);
-    make_waiting_groups(&growing, above, boxes);
-    *bounds_head(boxes) = (rsh_bounds_head){0, shape, {above->first_group, end}};
+    above->first_node = end - 1;
+    make_node(&growing, active.number[0], end - 1, bvh);
+    make_waiting_nodes(&growing, above, bvh);
+    *head_of(bvh) = (bvh_head){0, layout, {above->first_node, end}};
 }
 
 /* What a part has, and will be read in no order. */
-static void expect_part(const rsh_tree* tree, uint part)
+static void expect_part(const binary_tree* tree, uint part)
 {
 #ifdef RSH_EXPECT_LOAD
-    const uint room = tree->shape.part_clusters, first = part * room;
+    const uint room = tree->layout.part_leaves, first = part * room;
     for (uint i = 0; i < room; ++i) RSH_EXPECT_LOAD(tree->branches + first + i);
-    for (uint i = 0; i < room; i += 2) RSH_EXPECT_LOAD(tree->clusters + first + i);
+    for (uint i = 0; i < room; i += 2) RSH_EXPECT_LOAD(tree->leaves + first + i);
 #endif
 }
 
-/* A work-item makes the groups of a part. Nothing is left to be done after that. */
-__kernel void rsh_bound_groups(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
-                               __global float* boxes, __global const rsh_loose_box* loose,
-                               __global float* tree)
+/* A work-item makes the nodes of a part. Nothing is left to be done after that. */
+__kernel void rsh_nodes_tree_parts(bvh_layout given_layout, __global const sort_plan* sorting,
+                                   __global float* bvh, __global const child_box* child_boxes,
+                                   __global float* tree)
 {
-    const rsh_scene_shape shape = scene_shape;
+    const bvh_layout layout = given_layout;
     const uint me = get_global_id(0);
-    if (me >= shape.parts) return; /* launch is rounded up to whole groups */
+    if (me >= layout.parts) return; /* launch is rounded up to whole groups */
     if (!sorting->is_needed) return;
-    const rsh_tree grown = tree_in(shape, loose, tree);
+    const binary_tree grown = tree_in(layout, child_boxes, tree);
     expect_part(&grown, me);
-    make_waiting_groups(&grown, grown.parts + me, boxes);
-    part_counts(&shape, boxes)[me].groups =
-        (rsh_group_range){grown.parts[me].first_group, (me + 1) * shape.part_groups};
-    if (me == 0) bounds_head(boxes)->made = RSH_BOUNDS_MADE;
+    make_waiting_nodes(&grown, grown.parts + me, bvh);
+    bvh_parts(&layout, bvh)[me].nodes =
+        (node_range){grown.parts[me].first_node, (me + 1) * layout.part_nodes};
+    if (me == 0) head_of(bvh)->made = RSH_BVH_MADE;
 }

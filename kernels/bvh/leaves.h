@@ -7,12 +7,12 @@
 #include "mesh/intersect.h"
 
 /* Corners of 16 triangles, component by component. */
-typedef struct rsh_corner_rows {
+typedef struct corner_rows {
     floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
-} rsh_corner_rows;
+} corner_rows;
 
 /* A word per lane: base[stride * element], element below count. */
-static floatv gather(__global const float* base, uintv element, uint stride, uint count)
+static floatv gather_words(__global const float* base, uintv element, uint stride, uint count)
 {
     if (count == 0) return (floatv)(INFINITY);
     uint number[RSH_WIDTH];
@@ -23,7 +23,7 @@ static floatv gather(__global const float* base, uintv element, uint stride, uin
 }
 
 /* The triangles `first` and on in their order; 0: that of their numbers. */
-static uintv triangles_from(rsh_mesh mesh, __global const uint* order, uint first)
+static uintv triangles_from(mesh_view mesh, __global const uint* order, uint first)
 {
     const uintv places = as_uintv(RSH_LANES) + first;
     if (!order) return places;
@@ -36,9 +36,9 @@ static uintv triangles_from(rsh_mesh mesh, __global const uint* order, uint firs
 
 /* Corners of triangles, vector v of them. What is never hit has them at infinity, which every
  * box misses and every test of mesh/intersect.h. */
-static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
+static void load_corners_of(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, uintv triangle, uint v,
-                            rsh_corner_rows* corners)
+                            corner_rows* corners)
 {
     __global const float* words = (__global const float*)indices +
                                   word_offset(mesh.indices_first_low, mesh.indices_first_high);
@@ -49,7 +49,7 @@ static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
 #pragma unroll
     for (uint i = 0; i < 3; ++i) {
         vertex[i] = mesh.is_indexed
-                        ? as_uintv(gather(words + i, triangle, 3, mesh.triangle_count))
+                        ? as_uintv(gather_words(words + i, triangle, 3, mesh.triangle_count))
                         : 3u * triangle + i;
         is_there &= vertex[i] < (uintv)(mesh.vertex_count);
     }
@@ -57,7 +57,8 @@ static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
 #pragma unroll
     for (uint i = 0; i < 9; ++i) {
         const uintv of = select((uintv)(0u), vertex[i / 3], as_uintv(is_there));
-        const floatv c = gather(vertices + i % 3, of, mesh.vertex_stride, mesh.vertex_count);
+        const floatv c =
+            gather_words(vertices + i % 3, of, mesh.vertex_stride, mesh.vertex_count);
         corners->row[i / 3][i % 3][v] = c;
         sum += c - c; /* 0, or NaN if any is not finite */
     }
@@ -72,9 +73,9 @@ static void load_corners_of(rsh_mesh mesh, __global const float* vertices,
 #ifdef RSH_GATHER
 /* The same for 16 triangles that are all sound, as nearly always: all of their vertices are
  * there and finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
-static bool load_sound_corners(rsh_mesh mesh, __global const float* vertices,
+static bool load_sound_corners(mesh_view mesh, __global const float* vertices,
                                __global const uint* indices, uint16 triangle,
-                               rsh_corner_rows* corners)
+                               corner_rows* corners)
 {
     if (mesh.vertex_count == 0) return false;
     if ((ulong)mesh.vertex_stride * mesh.vertex_count > INT_MAX) return false;
@@ -102,9 +103,9 @@ static bool load_sound_corners(rsh_mesh mesh, __global const float* vertices,
 }
 #endif
 
-static void load_corners(rsh_mesh mesh, __global const float* vertices,
+static void load_corners(mesh_view mesh, __global const float* vertices,
                          __global const uint* indices, __global const uint* order, uint first,
-                         rsh_corner_rows* corners)
+                         corner_rows* corners)
 {
 #ifdef RSH_GATHER
     if (first + 16 <= mesh.triangle_count &&
@@ -118,9 +119,9 @@ static void load_corners(rsh_mesh mesh, __global const float* vertices,
 }
 
 /* The same for those that have numbers, up to 16, the others at infinity. */
-static void load_numbered_corners(rsh_mesh mesh, __global const float* vertices,
+static void load_numbered_corners(mesh_view mesh, __global const float* vertices,
                                   __global const uint* indices, __global const uint* number,
-                                  rsh_corner_rows* corners)
+                                  corner_rows* corners)
 {
 #ifdef RSH_GATHER
     const uint16 triangle = vload16(0, number);
@@ -143,7 +144,7 @@ static void load_numbered_corners(rsh_mesh mesh, __global const float* vertices,
 }
 
 /* Boxes of 16 triangles, not padded; those that are never hit hold nothing. */
-static void boxes_of_corners(const rsh_corner_rows* corners, rsh_boxes* boxes)
+static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
 {
 #pragma unroll
     for (uint axis = 0; axis < 3; ++axis)
@@ -157,7 +158,7 @@ static void boxes_of_corners(const rsh_corner_rows* corners, rsh_boxes* boxes)
 }
 
 /* Whether mesh/intersect.h has any of the triangles to scale. */
-static bool is_any_scaled(const rsh_corner_rows* corners)
+static bool is_any_scaled(const corner_rows* corners)
 {
     uint scaled = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -170,21 +171,20 @@ static bool is_any_scaled(const rsh_corner_rows* corners)
     return scaled != 0;
 }
 
-static void store_corners(const rsh_corner_rows* corners, __global float* cluster)
+static void store_corners(const corner_rows* corners, __global float* leaf)
 {
 #pragma unroll
     for (uint i = 0; i < 9; ++i)
         for (uint v = 0; v < RSH_VECTORS; ++v)
-            store_whole(__global, corners->row[i / 3][i % 3][v],
-                        cluster + 16 * i + RSH_WIDTH * v);
+            store_whole(__global, corners->row[i / 3][i % 3][v], leaf + 16 * i + RSH_WIDTH * v);
 }
 
-/* A cluster is about to be written, or read and written. */
-static void expect_stores(__global const float* cluster)
+/* A leaf is about to be written, or read and written. */
+static void expect_stores(__global const float* leaf)
 {
 #ifdef RSH_EXPECT_STORE
 #pragma unroll
-    for (uint i = 0; i < 10; ++i) RSH_EXPECT_STORE(cluster + 16 * i);
+    for (uint i = 0; i < 10; ++i) RSH_EXPECT_STORE(leaf + 16 * i);
 #endif
 }
 

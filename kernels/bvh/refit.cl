@@ -1,26 +1,26 @@
-/* refit.cl - clusters and groups of triangles that moved, where their order stayed: the
- * same triangles in each, and the same groups, around where they are now.
+/* refit.cl - leaves and nodes of triangles that moved, where their order stayed: the
+ * same triangles in each, and the same nodes, around where they are now.
  *   vertices, indices  in      triangles
- *   boxes              in/out  see bvh/layout.h
- *   loose              -       boxes around clusters, by their numbers, then around groups
+ *   bvh                in/out  see bvh/layout.h
+ *   child_boxes              -       boxes around leaves, by their numbers, then around nodes
  * Nothing is done where the order is a new one: bvh/leaves.cl. Numbers that the boxes hold are
  * brought within the scene's shape: a buffer that something else wrote to leads nowhere outside.
  */
 #include "bvh/leaves.h"
 #include "order/types.h"
 
-/* Clusters on from the one that is fitted. */
+/* Leaves on from the one that is fitted. */
 #define RSH_AHEAD 3
 
 /* Returns whether mesh/intersect.h has any of the triangles to scale. */
-static bool refit_cluster(rsh_mesh mesh, __global const float* vertices,
-                          __global const uint* indices, __global float* cluster, float* side)
+static bool refit_leaf(mesh_view mesh, __global const float* vertices,
+                       __global const uint* indices, __global float* leaf, float* side)
 {
-    rsh_corner_rows corners;
-    rsh_boxes boxes;
+    corner_rows corners;
+    boxes16 boxes;
     load_numbered_corners(mesh, vertices, indices,
-                          (__global const uint*)cluster + RSH_TRIANGLES_AT, &corners);
-    store_corners(&corners, cluster);
+                          (__global const uint*)leaf + RSH_TRIANGLES_AT, &corners);
+    store_corners(&corners, leaf);
     boxes_of_corners(&corners, &boxes);
 #pragma unroll
     for (uint axis = 0; axis < 3; ++axis) {
@@ -31,72 +31,71 @@ static bool refit_cluster(rsh_mesh mesh, __global const float* vertices,
     return is_any_scaled(&corners);
 }
 
-/* The box around each box of a group, and around all. around: of the groups, by their numbers,
+/* The box around each box of a node, and around all. around: of the nodes, by their numbers,
  * those that are in it fitted already. */
-static void refit_group(const rsh_scene_shape* shape, uint number, __global float* boxes,
-                        __global const rsh_loose_box* clusters, __global rsh_loose_box* around)
+static void refit_node(const bvh_layout* layout, uint number, __global float* bvh,
+                       __global const child_box* leaves, __global child_box* around)
 {
-    __global float* group = boxes + box_group_at(shape, number);
-    __global uint* below = (__global uint*)group + RSH_BELOW_AT;
+    __global float* node = bvh + node_at(layout, number);
+    __global uint* child = (__global uint*)node + RSH_CHILDREN_AT;
     float row[6][16];
     for (uint k = 0; k < 16; ++k) {
-        const uint member = below[k];
-        const bool is_there = member != RSH_NO_BOX, is_cluster = member & RSH_IS_CLUSTER;
-        const uint last = (is_cluster ? RSH_CLUSTERS(*shape) : RSH_GROUPS(*shape)) - 1;
-        __global const rsh_loose_box* of = (is_cluster ? clusters : around) +
-                                           (is_there ? min(RSH_BELOW_NUMBER(member), last) : 0);
-        for (uint f = 0; f < 6; ++f) row[f][k] = is_there ? of->side[f] : no_side(f);
-        if (is_there && is_cluster) below[k] = of->below;
+        const uint member = child[k];
+        const bool is_there = member != RSH_NO_CHILD, is_leaf = member & RSH_IS_LEAF;
+        const uint last = (is_leaf ? RSH_LEAVES(*layout) : RSH_NODES(*layout)) - 1;
+        __global const child_box* of =
+            (is_leaf ? leaves : around) + (is_there ? min(RSH_CHILD_NUMBER(member), last) : 0);
+        for (uint f = 0; f < 6; ++f) row[f][k] = is_there ? of->side[f] : empty_side(f);
+        if (is_there && is_leaf) child[k] = of->child;
     }
     for (uint f = 0; f < 6; ++f) {
         floatv v[RSH_VECTORS];
         for (uint i = 0; i < RSH_VECTORS; ++i) {
             v[i] = load_lanes(row[f] + RSH_WIDTH * i);
-            store_whole(__global, v[i], group + 16 * f + RSH_WIDTH * i);
+            store_whole(__global, v[i], node + 16 * f + RSH_WIDTH * i);
         }
         around[number].side[f] = f < 3 ? smallest_lane(v) : largest_lane(v);
     }
 }
 
-static rsh_group_range within(rsh_group_range range, uint first, uint end)
+static node_range within(node_range range, uint first, uint end)
 {
-    return (rsh_group_range){max(range.first, first), min(range.end, end)};
+    return (node_range){max(range.first, first), min(range.end, end)};
 }
 
-/* A work-item takes the clusters of a part, and its groups. */
-__kernel void rsh_refit_clusters(rsh_mesh mesh, __global const float* vertices,
-                                 __global const uint* indices, rsh_scene_shape scene_shape,
-                                 __global const rsh_sorting* sorting, __global float* boxes,
-                                 __global rsh_loose_box* loose)
+/* A work-item takes the leaves of a part, and its nodes. */
+__kernel void rsh_refit(mesh_view mesh, __global const float* vertices,
+                        __global const uint* indices, bvh_layout given_layout,
+                        __global const sort_plan* sorting, __global float* bvh,
+                        __global child_box* child_boxes)
 {
-    const rsh_scene_shape shape = scene_shape;
+    const bvh_layout layout = given_layout;
     const uint me = get_global_id(0);
-    if (me >= shape.parts || sorting->is_needed) return;
-    const rsh_part_counts counts = part_counts(&shape, boxes)[me];
-    const uint first = me * shape.part_clusters, first_group = me * shape.part_groups;
-    const uint end = first + min(counts.clusters, shape.part_clusters);
+    if (me >= layout.parts || sorting->is_needed) return;
+    const bvh_part counts = bvh_parts(&layout, bvh)[me];
+    const uint first = me * layout.part_leaves, first_node = me * layout.part_nodes;
+    const uint end = first + min(counts.leaves, layout.part_leaves);
     for (uint c = first; c < end; ++c) {
-        rsh_loose_box around;
-        expect_stores(boxes + cluster_at(c + RSH_AHEAD));
+        child_box around;
+        expect_stores(bvh + leaf_at(c + RSH_AHEAD));
         const bool is_scaled =
-            refit_cluster(mesh, vertices, indices, boxes + cluster_at(c), around.side);
-        around.below = below_cluster(c, is_scaled);
-        loose[c] = around;
+            refit_leaf(mesh, vertices, indices, bvh + leaf_at(c), around.side);
+        around.child = child_of_leaf(c, is_scaled);
+        child_boxes[c] = around;
     }
-    const rsh_group_range groups =
-        within(counts.groups, first_group, first_group + shape.part_groups);
-    for (uint g = groups.first; g < groups.end; ++g)
-        refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
+    const node_range nodes = within(counts.nodes, first_node, first_node + layout.part_nodes);
+    for (uint g = nodes.first; g < nodes.end; ++g)
+        refit_node(&layout, g, bvh, child_boxes, child_boxes + RSH_LEAVES(layout));
 }
 
-/* The groups above several parts. */
-__kernel void rsh_refit_groups(rsh_scene_shape scene_shape, __global const rsh_sorting* sorting,
-                               __global float* boxes, __global rsh_loose_box* loose)
+/* The nodes above several parts. */
+__kernel void rsh_refit_upper_nodes(bvh_layout given_layout, __global const sort_plan* sorting,
+                                    __global float* bvh, __global child_box* child_boxes)
 {
     if (get_global_id(0) != 0 || sorting->is_needed) return;
-    const rsh_scene_shape shape = scene_shape;
-    const rsh_group_range groups =
-        within(bounds_head(boxes)->groups, first_upper_group(&shape), RSH_GROUPS(shape));
-    for (uint g = groups.first; g < groups.end; ++g)
-        refit_group(&shape, g, boxes, loose, loose + RSH_CLUSTERS(shape));
+    const bvh_layout layout = given_layout;
+    const node_range nodes =
+        within(head_of(bvh)->nodes, first_upper_node(&layout), RSH_NODES(layout));
+    for (uint g = nodes.first; g < nodes.end; ++g)
+        refit_node(&layout, g, bvh, child_boxes, child_boxes + RSH_LEAVES(layout));
 }

@@ -1,4 +1,4 @@
-/* refit_quality.h - whether triangles that moved still make compact clusters in the order that
+/* refit_quality.h - whether triangles that moved still make compact leaves in the order that
  * was made for them earlier: surfaces of boxes, at some places of the order, then and now. */
 #ifndef RSH_BVH_REFIT_QUALITY_H
 #define RSH_BVH_REFIT_QUALITY_H
@@ -8,10 +8,10 @@
 /* An order is worn when its boxes have so many times the surface they had when it was made,
  * against that of their triangles, which turn and grow themselves. Rays meet boxes by their
  * surface; above this, tracing loses more than sorting costs. */
-#define RSH_WORN 1.2f
+#define RSH_DEGRADED 1.2f
 
 /* Of boxes that hold something, added up. */
-static float surface_of_boxes(const rsh_boxes* boxes)
+static float surface_of_boxes(const boxes16* boxes)
 {
     float total = 0.0f;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -27,7 +27,7 @@ static float surface_of_boxes(const rsh_boxes* boxes)
 }
 
 /* The box around 16 boxes, and around what `low` and `high` hold already. */
-static void add_boxes(const rsh_boxes* boxes, float* low, float* high)
+static void add_boxes(const boxes16* boxes, float* low, float* high)
 {
     for (uint axis = 0; axis < 3; ++axis) {
         low[axis] = fmin(low[axis], smallest_lane(boxes->low[axis]));
@@ -35,53 +35,54 @@ static void add_boxes(const rsh_boxes* boxes, float* low, float* high)
     }
 }
 
-/* Place `me` of RSH_SURVEYS: 16 clusters, one after the other or 16, 256, ... apart, the boxes
+/* Place `me` of RSH_QUALITY_SAMPLES: 16 leaves, one after the other or 16, 256, ... apart, the boxes
  * around their triangles, around each of them, and around all. Nothing where there are fewer
- * clusters than that. */
-static rsh_survey survey_at(uint me, rsh_mesh mesh, __global const float* vertices,
-                            __global const uint* indices, __global const uint* order,
-                            uint clusters)
+ * leaves than that. */
+static refit_quality quality_at(uint me, mesh_view mesh, __global const float* vertices,
+                                __global const uint* indices, __global const uint* order,
+                                uint leaves)
 {
-    const uint step = 1u << (4 * (me / RSH_SURVEYS_PER_STEP)), span = 16 * step;
-    rsh_survey survey = {0.0f, 0.0f, 0.0f};
-    if (step > 1 && span > clusters) return survey;
-    const ulong room = clusters > span ? clusters - span : 0;
-    const uint first = room * (me % RSH_SURVEYS_PER_STEP) / (RSH_SURVEYS_PER_STEP - 1);
+    const uint step = 1u << (4 * (me / RSH_QUALITY_SAMPLES_PER_STEP)), span = 16 * step;
+    refit_quality quality = {0.0f, 0.0f, 0.0f};
+    if (step > 1 && span > leaves) return quality;
+    const ulong room = leaves > span ? leaves - span : 0;
+    const uint first =
+        room * (me % RSH_QUALITY_SAMPLES_PER_STEP) / (RSH_QUALITY_SAMPLES_PER_STEP - 1);
     float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint c = first; c < min(first + span, clusters); c += step) {
-        rsh_corner_rows corners;
-        rsh_boxes boxes;
+    for (uint c = first; c < min(first + span, leaves); c += step) {
+        corner_rows corners;
+        boxes16 boxes;
         float own_low[3] = {INFINITY, INFINITY, INFINITY};
         float own_high[3] = {-INFINITY, -INFINITY, -INFINITY};
         load_corners(mesh, vertices, indices, order, 16 * c, &corners);
         boxes_of_corners(&corners, &boxes);
         add_boxes(&boxes, own_low, own_high);
-        survey.triangles += surface_of_boxes(&boxes);
-        survey.clusters += surface_of(own_low, own_high);
+        quality.triangles += surface_of_boxes(&boxes);
+        quality.leaves += surface_of(own_low, own_high);
         for (uint axis = 0; axis < 3; ++axis) {
             low[axis] = fmin(low[axis], own_low[axis]);
             high[axis] = fmax(high[axis], own_high[axis]);
         }
     }
-    survey.run = surface_of(low, high);
-    return survey;
+    quality.range = surface_of(low, high);
+    return quality;
 }
 
 /* Whether the order is not worn; false as well where a surface is no number. */
-static bool order_serves(__global const rsh_survey* now, __global const rsh_survey* then)
+static bool order_serves(__global const refit_quality* now, __global const refit_quality* then)
 {
-    for (uint i = 0; i < RSH_SURVEYS; i += RSH_SURVEYS_PER_STEP) {
-        rsh_survey a = now[i], b = then[i];
-        for (uint k = 1; k < RSH_SURVEYS_PER_STEP; ++k) {
+    for (uint i = 0; i < RSH_QUALITY_SAMPLES; i += RSH_QUALITY_SAMPLES_PER_STEP) {
+        refit_quality a = now[i], b = then[i];
+        for (uint k = 1; k < RSH_QUALITY_SAMPLES_PER_STEP; ++k) {
             a.triangles += now[i + k].triangles;
-            a.clusters += now[i + k].clusters;
-            a.run += now[i + k].run;
+            a.leaves += now[i + k].leaves;
+            a.range += now[i + k].range;
             b.triangles += then[i + k].triangles;
-            b.clusters += then[i + k].clusters;
-            b.run += then[i + k].run;
+            b.leaves += then[i + k].leaves;
+            b.range += then[i + k].range;
         }
-        if (!(a.clusters * b.triangles <= RSH_WORN * b.clusters * a.triangles)) return false;
-        if (!(a.run * b.triangles <= RSH_WORN * b.run * a.triangles)) return false;
+        if (!(a.leaves * b.triangles <= RSH_DEGRADED * b.leaves * a.triangles)) return false;
+        if (!(a.range * b.triangles <= RSH_DEGRADED * b.range * a.triangles)) return false;
     }
     return true;
 }

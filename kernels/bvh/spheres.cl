@@ -6,7 +6,7 @@
 #include "mesh/algebra.h"
 
 /* Centre of the smallest sphere: the middle of the longest edge unless all angles are acute. */
-static float3 sphere_centre(rsh_triangle p)
+static float3 sphere_centre(triangle_points p)
 {
     const float size = fmax(largest3(fabs(p.v1 - p.v0)), largest3(fabs(p.v2 - p.v0)));
     const float scale = scale_to_one(size);
@@ -26,19 +26,19 @@ static float3 sphere_centre(rsh_triangle p)
 
 /* Relative error of a length: u for the subtraction, below 2^-20 for safe_length; 2^-124 covers
  * differences that a device flushes to zero. */
-static float triangle_radius(rsh_triangle p, float3 centre)
+static float triangle_radius(triangle_points p, float3 centre)
 {
     const float radius = fmax(safe_length(p.v0 - centre),
                               fmax(safe_length(p.v1 - centre), safe_length(p.v2 - centre)));
     return radius * (1.0f + 0x1p-18f) + 0x1p-124f;
 }
 
-__kernel void rsh_bound(rsh_mesh mesh, __global const float* vertices,
-                        __global const uint* indices, __global float4* spheres)
+__kernel void rsh_spheres(mesh_view mesh, __global const float* vertices,
+                          __global const uint* indices, __global float4* spheres)
 {
     const uint i = get_global_id(0);
     if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
-    rsh_triangle p;
+    triangle_points p;
     if (!load_triangle(mesh, vertices, indices, i, &p) || !is_finite3(p.v0) ||
         !is_finite3(p.v1) || !is_finite3(p.v2)) {
         spheres[i] = (float4)(0.0f, 0.0f, 0.0f, -1.0f);

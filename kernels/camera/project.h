@@ -34,19 +34,20 @@
 #include "mesh/triangles.h"
 
 /* A corner in camera coordinates. bounds: across and down, minus G in .xy, plus G in .zw. */
-typedef struct rsh_corner {
+typedef struct projected_corner {
     float depth;
     float4 bounds;
-} rsh_corner;
+} projected_corner;
 
 /* Depths between which a part of the triangle lies, and the least depth to divide by. */
-typedef struct rsh_part {
+typedef struct depth_range {
     float nearest, farthest, divisor;
-} rsh_part;
+} depth_range;
 
 static float row_times(float4 row, float3 w) { return row.x * w.x + row.y * w.y + row.z * w.z; }
 
-static rsh_corner corner_of(const rsh_screen* screen, float3 position, float* depth_error)
+static projected_corner corner_of(const screen_setup* screen, float3 position,
+                                  float* depth_error)
 {
     const float3 w = position - screen->eye_near.xyz;
     const float reach = 0x1p-18f * fmax(fabs(w.x), fmax(fabs(w.y), fabs(w.z))) + 0x1p-120f;
@@ -55,65 +56,65 @@ static rsh_corner corner_of(const rsh_screen* screen, float3 position, float* de
     *depth_error = screen->depth_row.w * reach;
     const float across_error = screen->across_row.w * reach + 2.0f * *depth_error;
     const float down_error = screen->down_row.w * reach + 2.0f * *depth_error;
-    rsh_corner corner;
+    projected_corner corner;
     corner.depth = row_times(screen->depth_row, w);
     corner.bounds = (float4)(across - across_error, down - down_error, across + across_error,
                              down + down_error);
     return corner;
 }
 
-static bool is_moderate(rsh_corner corner)
+static bool is_moderate(projected_corner corner)
 {
     return fabs(corner.depth) < 0x1p100f && all(fabs(corner.bounds) < 0x1p100f);
 }
 
 /* Both weights come from differences with `depth`: each has a small relative error. */
-static rsh_corner crossing(rsh_corner p, rsh_corner q, float depth)
+static projected_corner crossing(projected_corner p, projected_corner q, float depth)
 {
     const float span = q.depth - p.depth;
-    rsh_corner corner;
+    projected_corner corner;
     corner.depth = depth;
     corner.bounds =
         p.bounds * ((q.depth - depth) / span) + q.bounds * ((depth - p.depth) / span);
     return corner;
 }
 
-static float4 grow(float4 extent, rsh_corner corner, rsh_part part)
+static float4 grow(float4 extent, projected_corner corner, depth_range range)
 {
-    const float4 bounds = corner.bounds / fmax(corner.depth, part.divisor);
+    const float4 bounds = corner.bounds / fmax(corner.depth, range.divisor);
     return (float4)(fmin(extent.xy, bounds.xy), fmax(extent.zw, bounds.zw));
 }
 
-static float4 grow_by_crossing(float4 extent, const rsh_corner* ends, float depth,
-                               rsh_part part)
+static float4 grow_by_crossing(float4 extent, const projected_corner* ends, float depth,
+                               depth_range range)
 {
     if ((ends[0].depth < depth) == (ends[1].depth < depth)) return extent;
-    return grow(extent, crossing(ends[0], ends[1], depth), part);
+    return grow(extent, crossing(ends[0], ends[1], depth), range);
 }
 
 /* Box of the part's corners: those of the triangle that lie in it, and where edges enter it. */
-static float4 extent_of(const rsh_corner* corners, rsh_part part)
+static float4 extent_on_screen(const projected_corner* corners, depth_range range)
 {
     float4 extent = (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY);
     for (int i = 0; i < 3; ++i) {
-        const rsh_corner ends[2] = {corners[i], corners[i == 2 ? 0 : i + 1]};
-        if (ends[0].depth >= part.nearest && ends[0].depth <= part.farthest)
-            extent = grow(extent, ends[0], part);
-        extent = grow_by_crossing(extent, ends, part.nearest, part);
-        extent = grow_by_crossing(extent, ends, part.farthest, part);
+        const projected_corner ends[2] = {corners[i], corners[i == 2 ? 0 : i + 1]};
+        if (ends[0].depth >= range.nearest && ends[0].depth <= range.farthest)
+            extent = grow(extent, ends[0], range);
+        extent = grow_by_crossing(extent, ends, range.nearest, range);
+        extent = grow_by_crossing(extent, ends, range.farthest, range);
     }
     return extent;
 }
 
-static bool is_around_eye(const rsh_corner* corners, rsh_part slice)
+static bool is_around_eye(const projected_corner* corners, depth_range slice)
 {
-    const float4 extent = extent_of(corners, slice);
+    const float4 extent = extent_on_screen(corners, slice);
     return all(extent.xy <= 2.0f) && all(extent.zw >= -2.0f);
 }
 
 /* First and last pixel, in .xy and .zw; first > last: none. Pixel centres are at
  * (pixel + 0.5) / size * 2 - 1; the paddings have room for the 16u that rounding adds here. */
-static ushort4 pixels_of(const rsh_screen* screen, float4 extent)
+static ushort4 pixels_of(const screen_setup* screen, float4 extent)
 {
     const float2 padding = (float2)(screen->across_padding, screen->down_padding);
     const float2 size = (float2)(screen->width, screen->height);
@@ -125,14 +126,14 @@ static ushort4 pixels_of(const rsh_screen* screen, float4 extent)
     return (ushort4)(convert_ushort2(first), convert_ushort2(last));
 }
 
-static ushort4 whole_screen(const rsh_screen* screen)
+static ushort4 whole_screen(const screen_setup* screen)
 {
     return (ushort4)(0, 0, screen->width - 1, screen->height - 1);
 }
 
-static ushort4 project(const rsh_screen* screen, rsh_triangle triangle)
+static ushort4 project(const screen_setup* screen, triangle_points triangle)
 {
-    rsh_corner corners[3];
+    projected_corner corners[3];
     float error[3];
     corners[0] = corner_of(screen, triangle.v0, error + 0);
     corners[1] = corner_of(screen, triangle.v1, error + 1);
@@ -142,9 +143,9 @@ static ushort4 project(const rsh_screen* screen, rsh_triangle triangle)
     const float depth_error = fmax(error[0], fmax(error[1], error[2]));
     const float nearest = screen->near_depth - 2.0f * depth_error;
     const float cut = fmax(nearest, 4.0f * depth_error);
-    const rsh_part slice = {nearest, cut, cut}, front = {cut, INFINITY, cut};
+    const depth_range slice = {nearest, cut, cut}, front = {cut, INFINITY, cut};
     if (nearest < cut && is_around_eye(corners, slice)) return whole_screen(screen);
-    return pixels_of(screen, extent_of(corners, front));
+    return pixels_of(screen, extent_on_screen(corners, front));
 }
 
 #endif

@@ -10,7 +10,7 @@
 
 #include "rsh/rsh_types.h"
 
-typedef struct rsh_screen {
+typedef struct screen_setup {
     rsh_float4 eye_near;    /* xyz [world], w: tmin of the rays */
     rsh_float4 forward_far; /* xyz, w: tmax of the rays         */
     rsh_float4 right;       /* these three: scaled alike so that the largest component is */
@@ -26,12 +26,12 @@ typedef struct rsh_screen {
     rsh_uint height;
     rsh_uint tile_columns;
     rsh_uint tile_count;
-    rsh_uint chunk_count;  /* runs of triangles, each with tile lists of its own */
-    rsh_uint chunk_length; /* triangles in a run, fewer in the last one          */
-    rsh_uint capacity;     /* entries in all lists of one chunk, below 2^31      */
+    rsh_uint range_count;  /* runs of triangles, each with tile lists of its own */
+    rsh_uint range_length; /* triangles in a run, fewer in the last one          */
+    rsh_uint capacity;     /* entries in all lists of one range, below 2^31      */
     rsh_uint triangle_count;
     rsh_uint padding;
-} rsh_screen;
-RSH_ASSERT_SIZE(rsh_screen, 160);
+} screen_setup;
+RSH_ASSERT_SIZE(screen_setup, 160);
 
 #endif

@@ -7,16 +7,16 @@
 static float pad_of(float largest) { return 0x1p-18f * largest + 0x1p-124f; }
 
 /* 16 boxes side by side. */
-typedef struct rsh_boxes {
+typedef struct boxes16 {
     floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
-} rsh_boxes;
+} boxes16;
 
-static void load_boxes(__global const float* group, rsh_boxes* boxes)
+static void load_boxes(__global const float* node, boxes16* boxes)
 {
     for (uint axis = 0; axis < 3; ++axis)
         for (uint v = 0; v < RSH_VECTORS; ++v) {
-            boxes->low[axis][v] = load_lanes(group + 16 * axis + RSH_WIDTH * v);
-            boxes->high[axis][v] = load_lanes(group + 48 + 16 * axis + RSH_WIDTH * v);
+            boxes->low[axis][v] = load_lanes(node + 16 * axis + RSH_WIDTH * v);
+            boxes->high[axis][v] = load_lanes(node + 48 + 16 * axis + RSH_WIDTH * v);
         }
 }
 

@@ -35,34 +35,34 @@
 
 /* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
  * cyclically. */
-typedef struct rsh_sheared {
+typedef struct sheared_rays {
     floatv origin_x, origin_y, origin_z; /* world axes */
     intv kz_is_x, kz_is_y;               /* masks; neither: z */
     floatv slope_x, slope_y, inverse_z;
     floatv tmin, tmax;
-} rsh_sheared;
+} sheared_rays;
 
 /* Hits of rays with triangles, a lane each. */
-typedef struct rsh_hits {
+typedef struct lane_hits {
     intv is_hit; /* mask */
     floatv t, u, v;
-} rsh_hits;
+} lane_hits;
 
 /* The closest hits of some rays so far, a lane each. */
-typedef struct rsh_best {
+typedef struct closest_hits {
     floatv t, u, v;
     uintv primitive;
-} rsh_best;
+} closest_hits;
 
-static floatv pick_x(rsh_sheared r, floatv x, floatv y, floatv z)
+static floatv pick_x(sheared_rays r, floatv x, floatv y, floatv z)
 {
     return select(select(x, z, r.kz_is_y), y, r.kz_is_x);
 }
-static floatv pick_y(rsh_sheared r, floatv x, floatv y, floatv z)
+static floatv pick_y(sheared_rays r, floatv x, floatv y, floatv z)
 {
     return select(select(y, x, r.kz_is_y), z, r.kz_is_x);
 }
-static floatv pick_z(rsh_sheared r, floatv x, floatv y, floatv z)
+static floatv pick_z(sheared_rays r, floatv x, floatv y, floatv z)
 {
     return select(select(z, y, r.kz_is_y), x, r.kz_is_x);
 }
@@ -70,10 +70,10 @@ static floatv pick_z(rsh_sheared r, floatv x, floatv y, floatv z)
 /* tmin is raised to 0 and tmax lowered to the largest float: nothing behind the origin, no t
  * that overflowed. A t that underflows to 0 could still lie behind: its sign is tested
  * before. */
-static rsh_sheared shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x,
-                              floatv y, floatv z, floatv tmin, floatv tmax)
+static sheared_rays shear_rays(floatv origin_x, floatv origin_y, floatv origin_z, floatv x,
+                               floatv y, floatv z, floatv tmin, floatv tmax)
 {
-    rsh_sheared r;
+    sheared_rays r;
     r.origin_x = origin_x;
     r.origin_y = origin_y;
     r.origin_z = origin_z;
@@ -108,13 +108,13 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
     } while (0)
 
 /* Corners, seen from the ray: x and y across it, z along it. */
-typedef struct rsh_seen {
+typedef struct ray_space_corners {
     floatv ax, ay, az, bx, by, bz, cx, cy, cz;
-} rsh_seen;
+} ray_space_corners;
 
-static rsh_seen see_corners(rsh_sheared r, const floatv* corner)
+static ray_space_corners to_ray_space(sheared_rays r, const floatv* corner)
 {
-    rsh_seen s;
+    ray_space_corners s;
     SHEAR_CORNER(r, corner[0], corner[1], corner[2], s.ax, s.ay, s.az);
     SHEAR_CORNER(r, corner[3], corner[4], corner[5], s.bx, s.by, s.bz);
     SHEAR_CORNER(r, corner[6], corner[7], corner[8], s.cx, s.cy, s.cz);
@@ -136,7 +136,7 @@ static floatv triangle_scale(const floatv* corner)
     return select(power, (floatv)(1.0f), is_usual);
 }
 
-static void scale_across(rsh_seen* s, floatv scale)
+static void scale_across(ray_space_corners* s, floatv scale)
 {
     s->ax *= scale;
     s->ay *= scale;
@@ -147,9 +147,9 @@ static void scale_across(rsh_seen* s, floatv scale)
 }
 
 /* Where the rays cut the triangles that they see, once scaled. NaN anywhere ends in a miss. */
-static rsh_hits cut(rsh_sheared r, rsh_seen s)
+static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
 {
-    rsh_hits hits;
+    lane_hits hits;
     const floatv U = difference_of_products(s.cx, s.by, s.cy, s.bx);
     const floatv V = difference_of_products(s.ax, s.cy, s.ay, s.cx);
     const floatv W = difference_of_products(s.bx, s.ay, s.by, s.ax);
@@ -177,20 +177,20 @@ static rsh_hits cut(rsh_sheared r, rsh_seen s)
 }
 
 /* corner[3 * i + axis]: one triangle per lane, or one for all. */
-static rsh_hits intersect(rsh_sheared r, const floatv* corner)
+static lane_hits intersect(sheared_rays r, const floatv* corner)
 {
-    rsh_seen seen = see_corners(r, corner);
-    scale_across(&seen, triangle_scale(corner));
-    return cut(r, seen);
+    ray_space_corners sheared = to_ray_space(r, corner);
+    scale_across(&sheared, triangle_scale(corner));
+    return intersect_sheared(r, sheared);
 }
 
-static rsh_best no_hits(void)
+static closest_hits no_hits(void)
 {
-    return (rsh_best){(floatv)(0.0f), (floatv)(0.0f), (floatv)(0.0f), (uintv)(RSH_NO_HIT)};
+    return (closest_hits){(floatv)(0.0f), (floatv)(0.0f), (floatv)(0.0f), (uintv)(RSH_NO_HIT)};
 }
 
 /* Triangles come in ascending order, so of equal t the first one stays. */
-static void keep_closer(rsh_best* best, rsh_hits hits, uint triangle)
+static void keep_closer(closest_hits* best, lane_hits hits, uint triangle)
 {
     const intv is_better =
         hits.is_hit & ((hits.t < best->t) | (best->primitive == (uintv)(RSH_NO_HIT)));
@@ -201,7 +201,7 @@ static void keep_closer(rsh_best* best, rsh_hits hits, uint triangle)
     best->primitive = select(best->primitive, (uintv)(triangle), as_uintv(is_better));
 }
 
-static void spread_triangle(rsh_triangle triangle, floatv* corner)
+static void broadcast_triangle(triangle_points triangle, floatv* corner)
 {
     corner[0] = (floatv)(triangle.v0.x);
     corner[1] = (floatv)(triangle.v0.y);
@@ -215,16 +215,16 @@ static void spread_triangle(rsh_triangle triangle, floatv* corner)
 }
 
 /* One ray with one triangle, by the same instructions: every lane holds the same. */
-static bool intersect_one(rsh_ray ray, rsh_triangle triangle, rsh_hit* hit)
+static bool intersect_one(rsh_ray ray, triangle_points triangle, rsh_hit* hit)
 {
-    const rsh_sheared r =
+    const sheared_rays r =
         shear_rays((floatv)(ray.origin_tmin.x), (floatv)(ray.origin_tmin.y),
                    (floatv)(ray.origin_tmin.z), (floatv)(ray.direction_tmax.x),
                    (floatv)(ray.direction_tmax.y), (floatv)(ray.direction_tmax.z),
                    (floatv)(ray.origin_tmin.w), (floatv)(ray.direction_tmax.w));
     floatv corner[9];
-    spread_triangle(triangle, corner);
-    const rsh_hits hits = intersect(r, corner);
+    broadcast_triangle(triangle, corner);
+    const lane_hits hits = intersect(r, corner);
     float lanes[3 * RSH_WIDTH];
     int is_hit[RSH_WIDTH];
     store_lanes(hits.t, lanes);

@@ -5,14 +5,14 @@
 #include "lanes/lanes.h"
 #include "mesh/types.h"
 
-typedef struct rsh_triangle {
+typedef struct triangle_points {
     float3 v0, v1, v2;
-} rsh_triangle;
+} triangle_points;
 
 static ulong word_offset(uint low, uint high) { return ((ulong)high << 32) | low; }
 
 /* Vertex numbers of a triangle; false when one is out of range. */
-static bool triangle_vertices(rsh_mesh mesh, __global const uint* indices, uint triangle,
+static bool triangle_vertices(mesh_view mesh, __global const uint* indices, uint triangle,
                               uint* corner)
 {
     if (mesh.is_indexed) {
@@ -26,7 +26,7 @@ static bool triangle_vertices(rsh_mesh mesh, __global const uint* indices, uint 
            corner[2] < mesh.vertex_count;
 }
 
-static float3 vertex_position(rsh_mesh mesh, __global const float* vertices, uint vertex)
+static float3 vertex_position(mesh_view mesh, __global const float* vertices, uint vertex)
 {
     return vload3(0, vertices + word_offset(mesh.vertices_first_low, mesh.vertices_first_high) +
                          (ulong)mesh.vertex_stride * vertex);
@@ -34,8 +34,8 @@ static float3 vertex_position(rsh_mesh mesh, __global const float* vertices, uin
 
 /* False: the triangle has an index out of range and is never hit; *out is NaN then, which every
  * test of mesh/intersect.h takes for a miss. */
-static bool load_triangle(rsh_mesh mesh, __global const float* vertices,
-                          __global const uint* indices, uint triangle, rsh_triangle* out)
+static bool load_triangle(mesh_view mesh, __global const float* vertices,
+                          __global const uint* indices, uint triangle, triangle_points* out)
 {
     uint corner[3];
     if (!triangle_vertices(mesh, indices, triangle, corner)) {

@@ -5,14 +5,14 @@
 #include "rsh/rsh_types.h"
 
 /* How to read rsh_geometry: offsets and stride in words of 4 bytes. */
-typedef struct rsh_mesh {
+typedef struct mesh_view {
     rsh_uint vertices_first_low, vertices_first_high;
     rsh_uint indices_first_low, indices_first_high;
     rsh_uint vertex_stride;
     rsh_uint vertex_count;
     rsh_uint triangle_count;
     rsh_uint is_indexed;
-} rsh_mesh;
-RSH_ASSERT_SIZE(rsh_mesh, 32);
+} mesh_view;
+RSH_ASSERT_SIZE(mesh_view, 32);
 
 #endif

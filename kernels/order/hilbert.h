@@ -1,5 +1,5 @@
 /* hilbert.h - places along Hilbert's curve through a grid of cells: 16 points at a time. Cells
- * that follow each other share a face, so that runs of points are compact; runs along Morton's
+ * that follow each other share a face, so that ranges of points are compact; ranges along Morton's
  * curve jump, and 1.5 to 2 times as many rays meet their boxes.
  *
  * Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004.
@@ -23,10 +23,10 @@ static uintv mask_of(uintv x, uint bit) { return (uintv)(0u) - (x >> bit & 1u); 
 /* Below the bit: flips x where b has it set, swaps the two where not. */
 static void turn(uintv* x, uintv* b, uint bit)
 {
-    const uint below = (1u << bit) - 1;
+    const uint lower_bits = (1u << bit) - 1;
     const uintv is_set = mask_of(*b, bit);
-    const uintv swapped = (*x ^ *b) & ~is_set & below;
-    *x ^= swapped | (is_set & below);
+    const uintv swapped = (*x ^ *b) & ~is_set & lower_bits;
+    *x ^= swapped | (is_set & lower_bits);
     *b ^= swapped;
 }
 
@@ -35,8 +35,8 @@ static uintv hilbert_place(const uintv cell[3], uint bits)
 {
     uintv x = cell[0], y = cell[1], z = cell[2];
     for (uint bit = bits - 1; bit > 0; --bit) {
-        const uint below = (1u << bit) - 1;
-        x ^= mask_of(x, bit) & below;
+        const uint lower_bits = (1u << bit) - 1;
+        x ^= mask_of(x, bit) & lower_bits;
         turn(&x, &y, bit);
         turn(&x, &z, bit);
     }

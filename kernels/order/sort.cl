@@ -1,6 +1,6 @@
 /* sort.cl - numbers in the order of their keys: a counting sort by bins, then, in each bin, one
  * by the other bits. Elements with equal keys stay in their order.
- *   sorting  in      see rsh_sorting
+ *   sorting  in      see sort_plan
  *   keys     in      by number
  *   bins     in/out  per work-item of rsh_sort_scatter, how many of its elements are in each
  *   order    out     numbers, from word `first` on
@@ -8,7 +8,7 @@
 #include "order/sort.h"
 
 /* Counts to places: of all elements in lower bins, and in this bin before this work-item. */
-__kernel void rsh_sort_scan(uint items, uint bin_count, __global const rsh_sorting* sorting,
+__kernel void rsh_sort_scan(uint items, uint bin_count, __global const sort_plan* sorting,
                             __global uint* bins)
 {
     if (get_global_id(0) != 0 || !sorting->is_needed) return;
@@ -31,26 +31,26 @@ static void load_keys(__global const uint* keys, uint count, uint* key)
         for (uint k = 0; k < count; ++k) key[k] = keys[k];
 }
 
-__kernel void rsh_sort_scatter(uint count, uint bin_count, __global const rsh_sorting* sorting,
+__kernel void rsh_sort_scatter(uint count, uint bin_count, __global const sort_plan* sorting,
                                __global const uint* keys, __global uint* bins,
                                __global uint* order, ulong first)
 {
     if (!sorting->is_needed) return;
-    const rsh_part mine = my_groups(count);
-    const uint rest = sorting->rest;
+    const range16 mine = my_range16(count);
+    const uint bin_shift = sorting->bin_shift;
     __global uint* own = bins + (ulong)bin_count * get_global_id(0);
     for (uint g = mine.begin; g < mine.end; ++g) {
         const uint here = min(16u, count - 16 * g);
         uint key[16];
         load_keys(keys + 16 * g, here, key);
-        if (here == 16 && are_in_one_bin(key, rest)) {
-            __global uint* at = order + first + own[key[0] >> rest];
+        if (here == 16 && are_in_one_bin(key, bin_shift)) {
+            __global uint* at = order + first + own[key[0] >> bin_shift];
             for (uint v = 0; v < RSH_VECTORS; ++v)
                 store_lanes(as_uintv(RSH_LANES) + (16 * g + RSH_WIDTH * v), at + RSH_WIDTH * v);
-            own[key[0] >> rest] += 16;
+            own[key[0] >> bin_shift] += 16;
             continue;
         }
-        for (uint k = 0; k < here; ++k) order[first + own[key[k] >> rest]++] = 16 * g + k;
+        for (uint k = 0; k < here; ++k) order[first + own[key[k] >> bin_shift]++] = 16 * g + k;
     }
 }
 
@@ -74,22 +74,22 @@ static void sort_by_digit(__global uint* order, uint count, __global const uint*
     for (uint i = 0; i < count; ++i) order[i] = sorted[i];
 }
 
-/* A work-item takes a run of bins. bins: where the last work-item's elements of a bin end, as
+/* A work-item takes a range of bins. bins: where the last work-item's elements of a bin end, as
  * rsh_sort_scatter leaves them. */
-__kernel void rsh_sort_refine(uint items, uint bin_count, __global const rsh_sorting* sorting,
+__kernel void rsh_sort_refine(uint items, uint bin_count, __global const sort_plan* sorting,
                               __global const uint* keys, __global const uint* bins,
                               __global uint* sorted, __global uint* order, ulong first)
 {
-    const uint rest = sorting->rest;
-    if (!sorting->is_needed || rest == 0) return;
-    const uint run = (bin_count + get_global_size(0) - 1) / get_global_size(0);
-    const uint first_bin = run * (uint)get_global_id(0);
+    const uint bin_shift = sorting->bin_shift;
+    if (!sorting->is_needed || bin_shift == 0) return;
+    const uint bins_per_item = (bin_count + get_global_size(0) - 1) / get_global_size(0);
+    const uint first_bin = bins_per_item * (uint)get_global_id(0);
     __global const uint* end = bins + (ulong)bin_count * (items - 1);
-    for (uint b = first_bin; b < min(first_bin + run, bin_count); ++b) {
+    for (uint b = first_bin; b < min(first_bin + bins_per_item, bin_count); ++b) {
         const uint begin = b ? end[b - 1] : 0, count = end[b] - begin;
         if (count <= 16) continue;
-        for (uint shift = 0; shift < rest; shift += 6)
+        for (uint shift = 0; shift < bin_shift; shift += 6)
             sort_by_digit(order + first + begin, count, keys, shift,
-                          min(64u, 1u << (rest - shift)), sorted + begin);
+                          min(64u, 1u << (bin_shift - shift)), sorted + begin);
     }
 }

@@ -1,4 +1,4 @@
-/* sort.h - what kernels that sort have in common: runs of elements, a work-item each, in groups
+/* sort.h - what kernels that sort have in common: ranges of elements, a work-item each, in groups
  * of 16; and the grid that their places are on. */
 #ifndef RSH_ORDER_SORT_H
 #define RSH_ORDER_SORT_H
@@ -6,76 +6,77 @@
 #include "lanes/sixteen.h"
 #include "order/types.h"
 
-typedef struct rsh_part {
+typedef struct range16 {
     uint begin, end;
-} rsh_part;
+} range16;
 
-static rsh_part my_groups(uint count)
+static range16 my_range16(uint count)
 {
-    const uint groups = (count + 15) / 16, items = get_global_size(0);
-    const uint run = (groups + items - 1) / items;
-    const uint begin = min(groups, run * (uint)get_global_id(0));
-    return (rsh_part){begin, min(groups, begin + run)};
+    const uint sixteens = (count + 15) / 16, items = get_global_size(0);
+    const uint per_item = (sixteens + items - 1) / items;
+    const uint begin = min(sixteens, per_item * (uint)get_global_id(0));
+    return (range16){begin, min(sixteens, begin + per_item)};
 }
 
-/* All of sixteen keys are in bin key[0] >> rest, as neighbours mostly are. */
-static bool are_in_one_bin(const uint* key, uint rest)
+/* All of sixteen keys are in bin key[0] >> bin_shift, as neighbours mostly are. */
+static bool are_in_one_bin(const uint* key, uint bin_shift)
 {
     uint other = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const uintv bin = load_lanes(key + RSH_WIDTH * v) >> rest;
-        other |= RSH_LANE_BITS(bin != (uintv)(key[0] >> rest));
+        const uintv bin = load_lanes(key + RSH_WIDTH * v) >> bin_shift;
+        other |= RSH_LANE_BITS(bin != (uintv)(key[0] >> bin_shift));
     }
     return !other;
 }
 
 /* Stores the keys of a group, as many as there are, and counts them in their bins. */
-static void store_keys(const uint* key, uint group, uint count, uint rest, __global uint* keys,
-                       __global uint* bins)
+static void store_keys(const uint* key, uint sixteen, uint count, uint bin_shift,
+                       __global uint* keys, __global uint* bins)
 {
-    if (16 * group + 16 <= count && are_in_one_bin(key, rest)) {
+    if (16 * sixteen + 16 <= count && are_in_one_bin(key, bin_shift)) {
         for (uint v = 0; v < RSH_VECTORS; ++v)
-            store_lanes(load_lanes(key + RSH_WIDTH * v), keys + 16 * group + RSH_WIDTH * v);
-        bins[key[0] >> rest] += 16;
+            store_lanes(load_lanes(key + RSH_WIDTH * v), keys + 16 * sixteen + RSH_WIDTH * v);
+        bins[key[0] >> bin_shift] += 16;
         return;
     }
-    for (uint k = 0; k < 16 && 16 * group + k < count; ++k) {
-        keys[16 * group + k] = key[k];
-        ++bins[key[k] >> rest];
+    for (uint k = 0; k < 16 && 16 * sixteen + k < count; ++k) {
+        keys[16 * sixteen + k] = key[k];
+        ++bins[key[k] >> bin_shift];
     }
 }
 
 /* So many groups a work-item looks at before all elements get keys; those take what lies
  * outside of these groups for their margin. */
-#define RSH_ASKED 64
+#define RSH_SAMPLES 64
 
-static uint asking_step(rsh_part groups) { return 1 + (groups.end - groups.begin) / RSH_ASKED; }
+static uint sampling_step(range16 range) { return 1 + (range.end - range.begin) / RSH_SAMPLES; }
 
-static rsh_span no_span(void)
+static sample_bounds empty_bounds(void)
 {
-    return (rsh_span){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
+    return (sample_bounds){
+        {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
 }
 
 /* What `count` work-items saw; each adds it up for itself. */
-static rsh_span whole_span(__global const rsh_span* spans, uint count)
+static sample_bounds merged_bounds(__global const sample_bounds* samples, uint count)
 {
-    rsh_span whole = spans[0];
+    sample_bounds whole = samples[0];
     for (uint i = 1; i < count; ++i) {
         for (uint axis = 0; axis < 3; ++axis) {
-            whole.low[axis] = fmin(whole.low[axis], spans[i].low[axis]);
-            whole.high[axis] = fmax(whole.high[axis], spans[i].high[axis]);
+            whole.low[axis] = fmin(whole.low[axis], samples[i].low[axis]);
+            whole.high[axis] = fmax(whole.high[axis], samples[i].high[axis]);
         }
-        whole.asked += spans[i].asked;
-        whole.sparse += spans[i].sparse;
+        whole.sampled += samples[i].sampled;
+        whole.incoherent += samples[i].incoherent;
     }
     return whole;
 }
 
-static float longest_side(const rsh_span* span)
+static float longest_side(const sample_bounds* bounds)
 {
     float longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
-        longest = fmax(longest, span->high[axis] - span->low[axis]);
+        longest = fmax(longest, bounds->high[axis] - bounds->low[axis]);
     return longest;
 }
 

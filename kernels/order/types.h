@@ -4,19 +4,19 @@
 
 #include "rsh/rsh_types.h"
 
-/* How order/sort.cl puts things in the order of their keys: by bins, key >> rest, and in a bin by the
+/* How order/sort.cl puts things in the order of their keys: by bins, key >> bin_shift, and in a bin by the
  * other bits; decided on the device. */
-typedef struct rsh_sorting {
+typedef struct sort_plan {
     rsh_uint is_needed; /* 0: they stay as they are, and have no keys */
-    rsh_uint rest;      /* bits */
-} rsh_sorting;
-RSH_ASSERT_SIZE(rsh_sorting, 8);
+    rsh_uint bin_shift; /* bits */
+} sort_plan;
+RSH_ASSERT_SIZE(sort_plan, 8);
 
 /* What a work-item saw of the scene, or of a list of rays, before they are sorted. */
-typedef struct rsh_span {
+typedef struct sample_bounds {
     rsh_float low[3], high[3];
-    rsh_uint asked, sparse; /* runs of 16; those that are no neighbours */
-} rsh_span;
-RSH_ASSERT_SIZE(rsh_span, 32);
+    rsh_uint sampled, incoherent; /* ranges of 16; those that are no neighbours */
+} sample_bounds;
+RSH_ASSERT_SIZE(sample_bounds, 32);
 
 #endif

@@ -2,5 +2,5 @@
  * for why. */
 #include "rays/join_boxes.cl"
 #include "reduce/scan_counts.cl"
-#include "traverse/paper/intersect_runs.cl"
-#include "traverse/paper/traverse_runs.cl"
+#include "traverse/paper/intersect_ranges.cl"
+#include "traverse/paper/traverse_ranges.cl"

@@ -1,4 +1,4 @@
-/* surface.cl - what happens at a hit, as one program; see program_traverse.cl for
+/* surface.cl - what happens at a hit, as one program; see programs/paper_faithful.cl for
  * why. */
 #include "shade/clear_colour.cl"
 #include "shade/shade.cl"

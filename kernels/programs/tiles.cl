@@ -1,4 +1,4 @@
-/* tiles.cl - what the engine `tiles` launches, as one program; see program_traverse.cl
+/* tiles.cl - what the engine `tiles` launches, as one program; see programs/paper_faithful.cl
  * for why. */
 #include "bvh/leaves.cl"
 #include "bvh/order.cl"

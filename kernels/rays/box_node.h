@@ -14,7 +14,7 @@
  * Rounding (u = 2^-24). What mesh/intersect.h reports as a hit at t lies, with the exact ray, within
  * 45u (|p| + |o|) of the triangle, where |.| is the largest component of its corners and of the
  * ray's origin. The boxes of triangles are padded by 64u |p|, with the largest |p| of their
- * cluster, those of origins by 64u |o|; the difference pays for rounding the padded values. L
+ * leaf, those of origins by 64u |o|; the difference pays for rounding the padded values. L
  * and H then err by u of themselves, which their sign survives; reciprocals by 2.5 ulp,
  * products by u: quotients by less than 6u. The far bounds are raised by 2^-19 = 32u, near ones
  * left as they are. Overflow: L is infinite only if every corner is infinitely far from every
@@ -30,44 +30,44 @@
 
 #define RSH_RAISED (1.0f + 0x1p-19f)
 
-/* Rows of rsh_node_group: origin low, high, direction low, high (3 each), tmax,
+/* Rows of box_node16: origin low, high, direction low, high (3 each), tmax,
  * is_converging. */
 #define RSH_NODE_ROWS 14
 
 /* One axis of a node, made ready for the test. near bounds t from below, far from above. Mixed
  * signs: far is a second bound from below. */
-typedef struct rsh_slab {
+typedef struct axis_slab {
     float near_origin, near_inverse, far_origin, far_inverse;
     int sign; /* of all directions: 1 or -1; 0: mixed */
-} rsh_slab;
+} axis_slab;
 
-static rsh_slab slab_of(float origin_low, float origin_high, float direction_low,
-                        float direction_high)
+static axis_slab slab_of(float origin_low, float origin_high, float direction_low,
+                         float direction_high)
 {
     const float to_low = 1.0f / direction_low, to_high = 1.0f / direction_high;
     const float near_low = fmax(to_low, -FLT_MAX), near_high = fmin(to_high, FLT_MAX);
     if (direction_low > 0.0f)
-        return (rsh_slab){origin_high, near_high, origin_low, to_low * RSH_RAISED, 1};
+        return (axis_slab){origin_high, near_high, origin_low, to_low * RSH_RAISED, 1};
     if (direction_high < 0.0f)
-        return (rsh_slab){origin_low, near_low, origin_high, to_high * RSH_RAISED, -1};
-    return (rsh_slab){origin_high, direction_high > 0.0f ? near_high : INFINITY, origin_low,
-                      direction_low < 0.0f ? near_low : -INFINITY, 0};
+        return (axis_slab){origin_low, near_low, origin_high, to_high * RSH_RAISED, -1};
+    return (axis_slab){origin_high, direction_high > 0.0f ? near_high : INFINITY, origin_low,
+                       direction_low < 0.0f ? near_low : -INFINITY, 0};
 }
 
 /* A node against 16 boxes. */
-typedef struct rsh_bundle {
-    rsh_slab slab[3];
+typedef struct interval_packet {
+    axis_slab slab[3];
     float limit; /* raised tmax; negative: nothing left to find */
-} rsh_bundle;
+} interval_packet;
 
-/* Which of 16 boxes the bundle can meet, a bit each; near, unless 0: from which t on. */
-static uint boxes_met(const rsh_bundle* bundle, const rsh_boxes* boxes, float* near)
+/* Which of 16 boxes the packet can meet, a bit each; near, unless 0: from which t on. */
+static uint boxes_met(const interval_packet* packet, const boxes16* boxes, float* near)
 {
     uint met = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        floatv from = (floatv)(0.0f), to = (floatv)(bundle->limit);
+        floatv from = (floatv)(0.0f), to = (floatv)(packet->limit);
         for (uint axis = 0; axis < 3; ++axis) {
-            const rsh_slab slab = bundle->slab[axis];
+            const axis_slab slab = packet->slab[axis];
             const floatv low = boxes->low[axis][v], high = boxes->high[axis][v];
             if (slab.sign > 0) {
                 from = greater((low - slab.near_origin) * slab.near_inverse, from);
@@ -87,17 +87,17 @@ static uint boxes_met(const rsh_bundle* bundle, const rsh_boxes* boxes, float* n
 }
 
 /* 16 nodes against one box. */
-typedef struct rsh_bundles {
+typedef struct interval_packet16 {
     floatv near_origin[3][RSH_VECTORS], near_inverse[3][RSH_VECTORS];
     floatv far_origin[3][RSH_VECTORS], far_inverse[3][RSH_VECTORS], far_offset[3][RSH_VECTORS];
     floatv other_origin[3][RSH_VECTORS], other_inverse[3][RSH_VECTORS]; /* mixed signs */
     intv is_negative[3][RSH_VECTORS];
     floatv limit[RSH_VECTORS];
-} rsh_bundles;
+} interval_packet16;
 
-/* Which of the 16 bundles can meet the box, of those that `common` encloses; the others' bits
+/* Which of the 16 packets can meet the box, of those that `common` encloses; the others' bits
  * say nothing. */
-static uint bundles_meeting(const rsh_bundles* nodes, const rsh_bundle* common,
+static uint packets_meeting(const interval_packet16* nodes, const interval_packet* common,
                             const float* low, const float* high)
 {
     uint met = 0;
@@ -129,7 +129,7 @@ static uint bundles_meeting(const rsh_bundles* nodes, const rsh_bundle* common,
     return met;
 }
 
-static void set_bundles_axis(rsh_bundles* nodes, uint axis, uint v, floatv origin_low,
+static void set_packets_axis(interval_packet16* nodes, uint axis, uint v, floatv origin_low,
                              floatv origin_high, floatv direction_low, floatv direction_high)
 {
     const floatv zero = (floatv)(0.0f), infinite = (floatv)(INFINITY);

@@ -1,6 +1,6 @@
 /* build_boxes.cl - the hierarchy over the rays with the bound `box`, bottom-up.
  *   rays   in   level 0
- *   nodes  out  groups of 16 nodes; see rsh_node_group
+ *   nodes  out  groups of 16 nodes; see box_node16
  * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test
  * anything against the scene.
  */
@@ -8,7 +8,7 @@
 #include "rays/box_node.h"
 #include "rays/tile_layout.h"
 
-static float smallest_active(const rsh_ray_block* block, const floatv* row)
+static float smallest_active(const ray_block* block, const floatv* row)
 {
     floatv v[RSH_VECTORS];
     for (uint i = 0; i < RSH_VECTORS; ++i)
@@ -16,7 +16,7 @@ static float smallest_active(const rsh_ray_block* block, const floatv* row)
     return smallest_lane(v);
 }
 
-static float largest_active(const rsh_ray_block* block, const floatv* row)
+static float largest_active(const ray_block* block, const floatv* row)
 {
     floatv v[RSH_VECTORS];
     for (uint i = 0; i < RSH_VECTORS; ++i)
@@ -31,7 +31,7 @@ static float reach_of(float low, float high) { return fmax(fabs(low), fabs(high)
  * of these is the smallest. Every point with 0 <= t <= 1 lies that way; a ray that goes on, or
  * whose end overflows, gets the box of all directions, from everywhere. The end rounds by u of
  * itself, which the padding has room for. */
-static void reverse_rays(rsh_ray_block* block)
+static void reverse_rays(ray_block* block)
 {
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         intv is_bounded = block->row[RSH_TMAX][v] <= (floatv)(1.0f);
@@ -48,7 +48,7 @@ static void reverse_rays(rsh_ray_block* block)
     }
 }
 
-static bool any_lost(const rsh_ray_block* block)
+static bool any_lost(const ray_block* block)
 {
     bool lost = false;
     for (uint v = 0; v < RSH_VECTORS; ++v)
@@ -56,12 +56,12 @@ static bool any_lost(const rsh_ray_block* block)
     return lost;
 }
 
-typedef struct rsh_node_rows {
+typedef struct node_rows {
     float row[RSH_NODE_ROWS][16];
-} rsh_node_rows;
+} node_rows;
 
 /* Rows of node b from its rays. */
-static void bound_block(rsh_ray_block* block, uint is_converging, uint b, rsh_node_rows* rows)
+static void bound_block(ray_block* block, uint is_converging, uint b, node_rows* rows)
 {
     float reach = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
@@ -86,7 +86,7 @@ static void bound_block(rsh_ray_block* block, uint is_converging, uint b, rsh_no
     rows->row[12][b] = largest_active(block, block->row[RSH_TMAX]);
 }
 
-static void clear_node(uint b, rsh_node_rows* rows)
+static void clear_rows(uint b, node_rows* rows)
 {
     for (uint f = 0; f < 6; ++f) {
         const float bound = f < 3 ? INFINITY : -INFINITY;
@@ -96,29 +96,29 @@ static void clear_node(uint b, rsh_node_rows* rows)
 }
 
 /* Says in the nodes of a list whether they have an order. */
-__kernel void rsh_build_order(rsh_levels shape, __global const rsh_sorting* sorting,
-                              __global uint* nodes)
+__kernel void rsh_build_boxes_order(rsh_levels shape, __global const sort_plan* sorting,
+                                    __global uint* nodes)
 {
     if (get_global_id(0) == 0) nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
 }
 
-__kernel void rsh_build_blocks(rsh_levels shape, __global const rsh_ray* rays,
-                               uint is_converging, __global float* groups)
+__kernel void rsh_build_boxes(rsh_levels shape, __global const rsh_ray* rays,
+                              uint is_converging, __global float* nodes)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    const rsh_tile tile = tile_at(shape, (__global const uint*)groups, me);
-    rsh_node_rows rows;
+    const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
+    node_rows rows;
     for (uint b = 0; b < 16; ++b) {
-        rsh_ray_block block;
-        load_rays(tile, b, rays, &block);
+        ray_block block;
+        load_block(tile, b, rays, &block);
         rows.row[13][b] = as_float(is_converging);
         if (active_lanes(&block))
             bound_block(&block, is_converging, b, &rows);
         else
-            clear_node(b, &rows);
+            clear_rows(b, &rows);
     }
-    __global float* out = groups + 16ul * RSH_NODE_ROWS * me;
+    __global float* out = nodes + 16ul * RSH_NODE_ROWS * me;
     for (uint f = 0; f < RSH_NODE_ROWS; ++f)
         for (uint v = 0; v < RSH_VECTORS; ++v)
             store_lanes(load_lanes(rows.row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);

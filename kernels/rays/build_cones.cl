@@ -1,7 +1,7 @@
 /* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item per
  * quad.
  *   rays   in   level 0
- *   quads  out  nodes of all levels below the root; see rsh_node_quad
+ *   quads  out  nodes of all levels below the root; see cone_node4
  * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and
  * sine are then measured from the guess as stored, rounded outwards, so that a node always
  * contains its rays. Does not test anything against the scene.
@@ -9,21 +9,22 @@
 #include "mesh/algebra.h"
 #include "rays/levels.h"
 
-typedef struct rsh_cone {
+typedef struct cone_node {
     float3 apex;
     float radius; /* negative: no active ray */
     float3 axis;
     float sine; /* 2: every direction */
-} rsh_cone;
+} cone_node;
 
-#define RSH_NO_CONE ((rsh_cone){(float3)(0.0f), -1.0f, (float3)(0.0f, 0.0f, 1.0f), 0.0f})
-#define RSH_WHOLE_SPACE ((rsh_cone){(float3)(0.0f), INFINITY, (float3)(0.0f, 0.0f, 1.0f), 2.0f})
+#define RSH_NO_CONE ((cone_node){(float3)(0.0f), -1.0f, (float3)(0.0f, 0.0f, 1.0f), 0.0f})
+#define RSH_WHOLE_SPACE \
+    ((cone_node){(float3)(0.0f), INFINITY, (float3)(0.0f, 0.0f, 1.0f), 2.0f})
 
 /* Normalising errs by at most 12u in angle (u = 2^-24), also where divisions err by 2.5 ulp: a
  * cone of sine 2^-20 = 16u around the stored axis holds the true direction. */
 #define RSH_LEAF_SINE 0x1p-20f
 
-static rsh_cone ray_cone(rsh_ray ray)
+static cone_node ray_cone(rsh_ray ray)
 {
     if (!is_active(ray)) return RSH_NO_CONE;
     const float3 d = ray.direction_tmax.xyz;
@@ -33,7 +34,7 @@ static rsh_cone ray_cone(rsh_ray ray)
         scaled / sqrt(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
     /* A denormal direction may lose its bits to the division: then it could point anywhere. */
     const bool is_exact = scale >= 0x1p-100f;
-    return (rsh_cone){ray.origin_tmin.xyz, 0.0f, axis, is_exact ? RSH_LEAF_SINE : 2.0f};
+    return (cone_node){ray.origin_tmin.xyz, 0.0f, axis, is_exact ? RSH_LEAF_SINE : 2.0f};
 }
 
 /* The same ray from its point at t = 1 backwards: rays that run towards one point make the
@@ -41,9 +42,9 @@ static rsh_cone ray_cone(rsh_ray ray)
  * radius makes up for the sum, which rounds by u per component, and for the hits of
  * mesh/intersect.h: those are off by 45u of their distance to the origin, which is the direction's
  * length more than the distance to the apex that rays/cone_sphere.h allows for. */
-static rsh_cone reversed_cone(rsh_ray ray)
+static cone_node reversed_cone(rsh_ray ray)
 {
-    rsh_cone cone = ray_cone(ray);
+    cone_node cone = ray_cone(ray);
     if (cone.radius < 0.0f) return cone;
     const float3 end = ray.origin_tmin.xyz + ray.direction_tmax.xyz;
     if (!(ray.direction_tmax.w <= 1.0f) || !is_finite3(end)) cone.sine = 2.0f;
@@ -55,14 +56,14 @@ static rsh_cone reversed_cone(rsh_ray ray)
     return cone;
 }
 
-static rsh_cone quad_member(const rsh_node_quad* quad, uint k)
+static cone_node quad_member(const cone_node4* quad, uint k)
 {
     const float* f = (const float*)quad;
-    return (rsh_cone){(float3)(f[k], f[4 + k], f[8 + k]), f[12 + k],
-                      (float3)(f[16 + k], f[20 + k], f[24 + k]), f[28 + k]};
+    return (cone_node){(float3)(f[k], f[4 + k], f[8 + k]), f[12 + k],
+                       (float3)(f[16 + k], f[20 + k], f[24 + k]), f[28 + k]};
 }
 
-static void set_quad_member(rsh_node_quad* quad, uint k, rsh_cone cone)
+static void set_quad_member(cone_node4* quad, uint k, cone_node cone)
 {
     float* f = (float*)quad;
     f[k] = cone.apex.x;
@@ -75,7 +76,7 @@ static void set_quad_member(rsh_node_quad* quad, uint k, rsh_cone cone)
     f[28 + k] = cone.sine;
 }
 
-static float3 middle_of_apexes(const rsh_cone* child)
+static float3 middle_of_apexes(const cone_node* child)
 {
     float3 low = (float3)(INFINITY), high = (float3)(-INFINITY);
     for (int k = 0; k < 4; ++k)
@@ -87,7 +88,7 @@ static float3 middle_of_apexes(const rsh_cone* child)
 }
 
 /* |apex - centre| errs by u in the difference and 2^-20 in the length, the sum by u. */
-static float cone_radius(const rsh_cone* child, float3 centre)
+static float cone_radius(const cone_node* child, float3 centre)
 {
     float radius = 0.0f;
     for (int k = 0; k < 4; ++k)
@@ -102,7 +103,7 @@ static float cone_radius(const rsh_cone* child, float3 centre)
  * unit vectors that are 16u off in length, products and sums, and cos alpha = sqrt(1 - sin^2)
  * with cos alpha >= 0.05 (error u / 0.1): together below 48u; the padding is 2^-18 = 64u. From
  * 87 degrees on, the cone counts as the whole space. */
-static float cone_sine(const rsh_cone* child, float3 axis)
+static float cone_sine(const cone_node* child, float3 axis)
 {
     float widest = 0.0f;
     for (int k = 0; k < 4; ++k) {
@@ -120,11 +121,11 @@ static float cone_sine(const rsh_cone* child, float3 axis)
 }
 
 /* The parent of four siblings; a single active child is copied bit for bit. */
-static rsh_cone merge(const rsh_node_quad* quad)
+static cone_node merge(const cone_node4* quad)
 {
-    rsh_cone child[4];
+    cone_node child[4];
     uint active = 0;
-    rsh_cone last = RSH_NO_CONE;
+    cone_node last = RSH_NO_CONE;
     float3 sum = (float3)(0.0f);
     for (int k = 0; k < 4; ++k) {
         child[k] = quad_member(quad, k);
@@ -135,7 +136,7 @@ static rsh_cone merge(const rsh_node_quad* quad)
     }
     if (active < 2) return last;
 
-    rsh_cone parent;
+    cone_node parent;
     parent.apex = middle_of_apexes(child);
     parent.radius = cone_radius(child, parent.apex);
     if (!is_finite3(parent.apex) || !isfinite(parent.radius)) return RSH_WHOLE_SPACE;
@@ -145,39 +146,39 @@ static rsh_cone merge(const rsh_node_quad* quad)
     return parent;
 }
 
-static rsh_cone leaf(const rsh_levels* levels, __global const rsh_ray* rays, uint is_converging,
-                     uint parent, uint k)
+static cone_node leaf(const rsh_levels* levels, __global const rsh_ray* rays,
+                      uint is_converging, uint parent, uint k)
 {
     if (!child_exists(levels, 0, parent, k)) return RSH_NO_CONE;
     const rsh_ray ray = rays[child_index(levels, 0, parent, k)];
     return is_converging ? reversed_cone(ray) : ray_cone(ray);
 }
 
-__kernel void rsh_build_leaves(rsh_levels levels, __global const rsh_ray* rays,
-                               uint is_converging, __global rsh_node_quad* quads)
+__kernel void rsh_build_cones_rays(rsh_levels levels, __global const rsh_ray* rays,
+                                   uint is_converging, __global cone_node4* quads)
 {
     const uint i = get_global_id(0);
     if (i >= levels.width[1] * levels.height[1]) return;
-    rsh_node_quad quad;
+    cone_node4 quad;
     for (uint k = 0; k < 4; ++k)
         set_quad_member(&quad, k, leaf(&levels, rays, is_converging, i, k));
-    quads[levels.first_quad[0] + i] = quad;
+    quads[levels.first_child_group[0] + i] = quad;
 }
 
-__kernel void rsh_build_level(rsh_levels shape, uint level, __global rsh_node_quad* quads)
+__kernel void rsh_build_cones_level(rsh_levels shape, uint level, __global cone_node4* quads)
 {
     const rsh_levels levels = shape;
     const uint i = get_global_id(0);
     if (i >= levels.width[level + 1] * levels.height[level + 1]) return;
-    rsh_node_quad quad;
+    cone_node4 quad;
     for (uint k = 0; k < 4; ++k) {
-        rsh_cone node = RSH_NO_CONE;
+        cone_node node = RSH_NO_CONE;
         if (child_exists(&levels, level, i, k)) {
-            const rsh_node_quad below =
-                quads[levels.first_quad[level - 1] + child_index(&levels, level, i, k)];
-            node = merge(&below);
+            const cone_node4 children =
+                quads[levels.first_child_group[level - 1] + child_index(&levels, level, i, k)];
+            node = merge(&children);
         }
         set_quad_member(&quad, k, node);
     }
-    quads[levels.first_quad[level] + i] = quad;
+    quads[levels.first_child_group[level] + i] = quad;
 }

@@ -1,4 +1,4 @@
-/* group_levels.h - hierarchies of fan 4, up to a root: the 16 children of a node are a group.
+/* group_levels.h - hierarchies of branching 4, up to a root: the 16 children of a node are a group.
  * A node goes by its index in its level; see rsh_levels. */
 #ifndef RSH_RAYS_GROUP_LEVELS_H
 #define RSH_RAYS_GROUP_LEVELS_H

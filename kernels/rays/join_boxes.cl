@@ -7,8 +7,8 @@
 #include "rays/box_node.h"
 #include "rays/group_levels.h"
 
-/* Rows of a group, see rsh_node_group: low and high of origins, of directions, tmax. */
-static void join_group(__global const float* in, float* row)
+/* Rows of a group, see box_node16: low and high of origins, of directions, tmax. */
+static void join_node16(__global const float* in, float* row)
 {
     for (uint f = 0; f < 13; ++f) {
         const bool is_low = f < 3 || (f >= 6 && f < 9);
@@ -22,7 +22,7 @@ static void join_group(__global const float* in, float* row)
     row[13] = in[16 * 13];
 }
 
-static void clear_node(float* row)
+static void clear_row(float* row)
 {
     for (uint f = 0; f < 12; ++f) row[f] = f < 3 || (f >= 6 && f < 9) ? INFINITY : -INFINITY;
     row[12] = -1.0f;
@@ -35,14 +35,14 @@ __kernel void rsh_join_boxes(rsh_levels shape, uint level, __global const float*
     const rsh_levels levels = shape;
     const uint me = get_global_id(0);
     if (me >= levels.width[level + 1] * levels.height[level + 1]) return;
-    __global float* group = out + 224ul * (first_out + me);
+    __global float* node16 = out + 224ul * (first_out + me);
     for (uint k = 0; k < 16; ++k) {
         const uint node = child_of(&levels, level, me, k);
         float row[14];
         if (node == RSH_NO_NODE)
-            clear_node(row);
+            clear_row(row);
         else
-            join_group(in + 224ul * (first_in + node), row);
-        for (uint f = 0; f < 14; ++f) group[16 * f + k] = row[f];
+            join_node16(in + 224ul * (first_in + node), row);
+        for (uint f = 0; f < 14; ++f) node16[16 * f + k] = row[f];
     }
 }

@@ -29,7 +29,7 @@ static bool child_exists(const rsh_levels* levels, uint level, uint parent, uint
  * 0, go by their index at last. */
 static uint quad_index(const rsh_levels* levels, uint level, uint node)
 {
-    const uint first = levels->first_quad[level];
+    const uint first = levels->first_child_group[level];
     if (levels->is_list) return first + node;
     return first + (node >> 16) * levels->width[level + 1] + (node & 0xffffu);
 }

@@ -9,13 +9,13 @@
 /* The rows of rsh_ray: origin x y z, tmin, direction x y z, tmax. */
 enum { RSH_TMIN = 3, RSH_DIRECTION = 4, RSH_TMAX = 7, RSH_RAY_ROWS = 8 };
 
-typedef struct rsh_ray_block {
+typedef struct ray_block {
     floatv row[RSH_RAY_ROWS][RSH_VECTORS];
     intv is_active[RSH_VECTORS]; /* mask; see rsh_ray */
-} rsh_ray_block;
+} ray_block;
 
 /* The same bits as is_active of mesh/triangles.h. */
-static intv are_active(const rsh_ray_block* block, uint v)
+static intv are_active(const ray_block* block, uint v)
 {
     const floatv infinite = (floatv)(INFINITY), zero = (floatv)(0.0f);
     intv is_finite = block->row[RSH_TMIN][v] <= block->row[RSH_TMAX][v];
@@ -28,7 +28,7 @@ static intv are_active(const rsh_ray_block* block, uint v)
     return is_finite & has_direction;
 }
 
-static uint active_lanes(const rsh_ray_block* block)
+static uint active_lanes(const ray_block* block)
 {
     uint bits = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v)
@@ -43,7 +43,7 @@ static uint active_lanes(const rsh_ray_block* block)
 
 /* Four times four rays in a row, two in each of pair[0 .. 7], to eight rows of 16. Each step
  * halves the components that a vector holds: 0 2 4 6 and 1 3 5 7; then 0 4, 2 6, 1 5, 3 7. */
-static void transpose_rays(const float16* pair, rsh_ray_block* block)
+static void transpose_rays(const float16* pair, ray_block* block)
 {
     float16 four[2][4], two[4][2];
     for (uint i = 0; i < 4; ++i) {
@@ -61,8 +61,8 @@ static void transpose_rays(const float16* pair, rsh_ray_block* block)
     }
 }
 
-static void load_whole_block(rsh_tile tile, uint b, __global const rsh_ray* rays,
-                             rsh_ray_block* block)
+static void load_whole_block(ray_tile tile, uint b, __global const rsh_ray* rays,
+                             ray_block* block)
 {
     float16 pair[8];
     for (uint r = 0; r < 4; ++r) {
@@ -74,8 +74,8 @@ static void load_whole_block(rsh_tile tile, uint b, __global const rsh_ray* rays
 }
 #endif
 
-static void load_part_of_block(rsh_tile tile, uint b, __global const rsh_ray* rays,
-                               rsh_ray_block* block)
+static void load_part_of_block(ray_tile tile, uint b, __global const rsh_ray* rays,
+                               ray_block* block)
 {
     float lane[RSH_RAY_ROWS][16];
     for (uint k = 0; k < 16; ++k) {
@@ -92,7 +92,7 @@ static void load_part_of_block(rsh_tile tile, uint b, __global const rsh_ray* ra
 }
 
 /* Lanes outside of the grid or list are inactive. */
-static void load_rays(rsh_tile tile, uint b, __global const rsh_ray* rays, rsh_ray_block* block)
+static void load_block(ray_tile tile, uint b, __global const rsh_ray* rays, ray_block* block)
 {
 #if RSH_WIDTH == 16
     if (is_whole(tile, b))

@@ -2,9 +2,9 @@
  * their direction, then along Hilbert's curve by their origin.
  *   rays           in   a list
  *   sorting, keys  out  for order/sort.cl, and how many rays are in each of its bins
- * Rays that follow each other mostly are neighbours already, and stay. Where runs of 16 are
+ * Rays that follow each other mostly are neighbours already, and stay. Where ranges of 16 are
  * not, as in a queue that was filled by many hands, every block would span the scene and its
- * rays go one by one, at several times the cost. A work-item has a run of the rays.
+ * rays go one by one, at several times the cost. A work-item has a range of the rays.
  */
 #include "order/hilbert.h"
 #include "order/sort.h"
@@ -13,19 +13,19 @@
 /* Bits of a coordinate; RSH_RAY_CELL_BITS of them make the cell. */
 #define RSH_RAY_BITS 7
 
-/* A run is sparse if its origins span more than this of what all do, or, where all start in one
+/* A range is incoherent if its origins span more than this of what all do, or, where all start in one
  * point, its directions of what those can. */
-#define RSH_SPREAD 0.25f
+#define RSH_INCOHERENT_EXTENT 0.25f
 
-static rsh_tile list_of(uint count, uint group)
+static ray_tile list_of(uint count, uint sixteen)
 {
-    return (rsh_tile){count, 0, 16 * group, 0, 0};
+    return (ray_tile){count, 0, 16 * sixteen, 0, 0};
 }
 
 /* Of the active rays, from row `first` on. */
-static rsh_span span_of(const rsh_ray_block* block, uint first)
+static sample_bounds bounds_of_rays(const ray_block* block, uint first)
 {
-    rsh_span span = no_span();
+    sample_bounds bounds = empty_bounds();
     for (uint axis = 0; axis < 3; ++axis) {
         floatv low[RSH_VECTORS], high[RSH_VECTORS];
         for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -33,13 +33,13 @@ static rsh_span span_of(const rsh_ray_block* block, uint first)
             low[v] = select((floatv)(INFINITY), at, block->is_active[v]);
             high[v] = select((floatv)(-INFINITY), at, block->is_active[v]);
         }
-        span.low[axis] = smallest_lane(low);
-        span.high[axis] = largest_lane(high);
+        bounds.low[axis] = smallest_lane(low);
+        bounds.high[axis] = largest_lane(high);
     }
-    return span;
+    return bounds;
 }
 
-static void add_span(rsh_span* whole, const rsh_span* part)
+static void add_bounds(sample_bounds* whole, const sample_bounds* part)
 {
     for (uint axis = 0; axis < 3; ++axis) {
         whole->low[axis] = fmin(whole->low[axis], part->low[axis]);
@@ -47,50 +47,51 @@ static void add_span(rsh_span* whole, const rsh_span* part)
     }
 }
 
-__kernel void rsh_rays_measure(__global const rsh_ray* rays, uint count,
-                               __global rsh_span* spans)
+__kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint count,
+                                    __global sample_bounds* samples)
 {
-    const rsh_part mine = my_groups(count);
-    rsh_span span = no_span();
-    for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
-        rsh_ray_block block;
-        load_rays(list_of(count, g), 0, rays, &block);
-        const rsh_span origins = span_of(&block, 0);
-        add_span(&span, &origins);
+    const range16 mine = my_range16(count);
+    sample_bounds bounds = empty_bounds();
+    for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
+        ray_block block;
+        load_block(list_of(count, g), 0, rays, &block);
+        const sample_bounds origins = bounds_of_rays(&block, 0);
+        add_bounds(&bounds, &origins);
     }
-    spans[get_global_id(0)] = span;
+    samples[get_global_id(0)] = bounds;
 }
 
-static bool is_spread(const rsh_ray_block* block, float whole)
+static bool is_incoherent_block(const ray_block* block, float whole)
 {
-    const rsh_span origins = span_of(block, 0);
-    if (whole > 0.0f) return longest_side(&origins) > RSH_SPREAD * whole;
-    const rsh_span directions = span_of(block, RSH_DIRECTION);
+    const sample_bounds origins = bounds_of_rays(block, 0);
+    if (whole > 0.0f) return longest_side(&origins) > RSH_INCOHERENT_EXTENT * whole;
+    const sample_bounds directions = bounds_of_rays(block, RSH_DIRECTION);
     float longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
         longest = fmax(longest, fmax(fabs(directions.low[axis]), fabs(directions.high[axis])));
-    return longest_side(&directions) > RSH_SPREAD * 2.0f * longest;
+    return longest_side(&directions) > RSH_INCOHERENT_EXTENT * 2.0f * longest;
 }
 
-/* Of the runs asked, how many are sparse. */
-__kernel void rsh_rays_ask(__global const rsh_ray* rays, uint count,
-                           __global const rsh_span* spans, __global uint2* asked)
+/* Of the ranges sampled, how many are incoherent. */
+__kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint count,
+                                   __global const sample_bounds* samples,
+                                   __global uint2* sampled)
 {
-    const rsh_part mine = my_groups(count);
-    const rsh_span whole = whole_span(spans, get_global_size(0));
+    const range16 mine = my_range16(count);
+    const sample_bounds whole = merged_bounds(samples, get_global_size(0));
     const float longest = longest_side(&whole);
     uint2 sum = (uint2)(0);
-    for (uint g = mine.begin; g < mine.end; g += asking_step(mine)) {
-        rsh_ray_block block;
-        load_rays(list_of(count, g), 0, rays, &block);
+    for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
+        ray_block block;
+        load_block(list_of(count, g), 0, rays, &block);
         if (!active_lanes(&block)) continue;
         ++sum.x;
-        sum.y += is_spread(&block, longest);
+        sum.y += is_incoherent_block(&block, longest);
     }
-    asked[get_global_id(0)] = sum;
+    sampled[get_global_id(0)] = sum;
 }
 
-static void keys_of_rays(const rsh_ray_block* block, const rsh_span* whole, uint* keys)
+static void keys_of_rays(const ray_block* block, const sample_bounds* whole, uint* keys)
 {
     const float scale = cells_per_length(longest_side(whole), RSH_RAY_BITS);
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -107,26 +108,26 @@ static void keys_of_rays(const rsh_ray_block* block, const rsh_span* whole, uint
     }
 }
 
-__kernel void rsh_rays_keys(__global const rsh_ray* rays, uint count,
-                            __global const rsh_span* spans, __global const uint2* asked,
-                            __global rsh_sorting* sorting, __global uint* keys,
-                            __global uint* bins)
+__kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint count,
+                                 __global const sample_bounds* samples,
+                                 __global const uint2* sampled, __global sort_plan* sorting,
+                                 __global uint* keys, __global uint* bins)
 {
-    const uint me = get_global_id(0), rest = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
+    const uint me = get_global_id(0), bin_shift = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
     uint2 sum = (uint2)(0);
-    for (uint i = 0; i < get_global_size(0); ++i) sum += asked[i];
+    for (uint i = 0; i < get_global_size(0); ++i) sum += sampled[i];
     const bool is_needed = sum.y > sum.x / 2;
-    if (me == 0) *sorting = (rsh_sorting){is_needed, rest};
+    if (me == 0) *sorting = (sort_plan){is_needed, bin_shift};
     if (!is_needed) return;
-    const rsh_part mine = my_groups(count);
-    const rsh_span whole = whole_span(spans, get_global_size(0));
+    const range16 mine = my_range16(count);
+    const sample_bounds whole = merged_bounds(samples, get_global_size(0));
     __global uint* own = bins + (ulong)RSH_RAY_BINS * me;
     for (uint b = 0; b < RSH_RAY_BINS; ++b) own[b] = 0;
     for (uint g = mine.begin; g < mine.end; ++g) {
-        rsh_ray_block block;
+        ray_block block;
         uint key[16];
-        load_rays(list_of(count, g), 0, rays, &block);
+        load_block(list_of(count, g), 0, rays, &block);
         keys_of_rays(&block, &whole, key);
-        store_keys(key, g, count, rest, keys, own);
+        store_keys(key, g, count, bin_shift, keys, own);
     }
 }

@@ -1,5 +1,5 @@
 /* tile_layout.h - which rays a tile holds: 16 blocks of 16 rays. In a grid, blocks are 4 x 4 rays and
- * tiles 4 x 4 blocks; in a list, both are runs. */
+ * tiles 4 x 4 blocks; in a list, both are ranges. */
 #ifndef RSH_RAYS_TILE_LAYOUT_H
 #define RSH_RAYS_TILE_LAYOUT_H
 
@@ -7,11 +7,11 @@
 
 #define RSH_NO_RAY 0xffffffffu
 
-typedef struct rsh_tile {
+typedef struct ray_tile {
     uint width, height;         /* rays; list: height 0 */
     uint x, y;                  /* first ray; list: x */
     __global const uint* order; /* rays by place, see rsh_levels; 0: places are rays */
-} rsh_tile;
+} ray_tile;
 
 static uint tile_count(rsh_levels shape) { return shape.width[2] * shape.height[2]; }
 
@@ -22,20 +22,20 @@ static ulong order_behind(rsh_levels shape)
     return RSH_RAY_ORDER_AT((ulong)tile_count(shape));
 }
 
-static rsh_tile tile_at(rsh_levels shape, __global const uint* nodes, uint tile)
+static ray_tile tile_at(rsh_levels shape, __global const uint* nodes, uint tile)
 {
     if (shape.is_list) {
         const uint count = shape.width[0];
         __global const uint* order = nodes + order_behind(shape);
-        return (rsh_tile){count, 0, 256 * tile, 0, order[count] ? order : 0};
+        return (ray_tile){count, 0, 256 * tile, 0, order[count] ? order : 0};
     }
     const uint columns = shape.width[2];
-    return (rsh_tile){shape.width[0], shape.height[0], tile % columns * 16, tile / columns * 16,
+    return (ray_tile){shape.width[0], shape.height[0], tile % columns * 16, tile / columns * 16,
                       0};
 }
 
 /* Index of a ray of the tile; RSH_NO_RAY outside of the grid or list. */
-static uint ray_of(rsh_tile tile, uint block, uint k)
+static uint ray_of(ray_tile tile, uint block, uint k)
 {
     if (tile.height == 0) {
         const uint i = tile.x + 16 * block + k;
@@ -47,7 +47,7 @@ static uint ray_of(rsh_tile tile, uint block, uint k)
 }
 
 /* All sixteen rays of the block are there, four in a row each. */
-static bool is_whole(rsh_tile tile, uint block)
+static bool is_whole(ray_tile tile, uint block)
 {
     return !tile.order && ray_of(tile, block, 15) != RSH_NO_RAY;
 }

@@ -10,25 +10,25 @@
  *   radius   of the sphere [world]; negative: the node holds no active ray
  *   axis_*   unit axis of the cone
  *   sine     of the cone's half-angle; 2: the cone is the whole space of directions */
-typedef struct rsh_node_quad {
+typedef struct cone_node4 {
     rsh_float4 apex_x, apex_y, apex_z, radius;
     rsh_float4 axis_x, axis_y, axis_z, sine;
-} rsh_node_quad;
-RSH_ASSERT_SIZE(rsh_node_quad, 128);
+} cone_node4;
+RSH_ASSERT_SIZE(cone_node4, 128);
 
 /* Sixteen sibling nodes of the bound `box`: the blocks of a tile. [axis][block]. */
-typedef struct rsh_node_group {
+typedef struct box_node16 {
     rsh_float origin_low[3][16];
     rsh_float origin_high[3][16];
     rsh_float direction_low[3][16];
     rsh_float direction_high[3][16];
     rsh_float tmax[16];         /* of the farthest ray; -1: the node holds no active ray */
     rsh_uint is_converging[16]; /* 1: seen from t = 1, backwards; see rsh_build_desc */
-} rsh_node_group;
-RSH_ASSERT_SIZE(rsh_node_group, 896);
+} box_node16;
+RSH_ASSERT_SIZE(box_node16, 896);
 
 /* Words before the order of a list's rays in its nodes; see rsh_levels. */
-#define RSH_RAY_ORDER_AT(tiles) (sizeof(rsh_node_group) / 4 * (tiles))
+#define RSH_RAY_ORDER_AT(tiles) (sizeof(box_node16) / 4 * (tiles))
 
 /* Bins of rays/sort_rays.cl: octants of directions by cells of origins; then inactive rays. */
 #define RSH_RAY_CELL_BITS 3

@@ -10,7 +10,7 @@
 __kernel void rsh_reduce_atomic(RSH_STREAM, __global uint* output,
                                 volatile __global uint* output_count, uint output_index)
 {
-    const rsh_stride mine = my_elements(RSH_LENGTH);
+    const strided_range mine = my_elements(RSH_LENGTH);
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         if (is_kept(input, flags, i)) {
             const uint at = atomic_inc(output_count + output_index);

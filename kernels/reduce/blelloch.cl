@@ -14,7 +14,7 @@ static uint leaves_of(uint length) { return length <= 1 ? 1u : 1u << (32 - clz(l
 __kernel void rsh_reduce_blelloch_begin(RSH_STREAM, __global uint* sums)
 {
     const uint length = RSH_LENGTH;
-    const rsh_stride mine = my_elements(leaves_of(length));
+    const strided_range mine = my_elements(leaves_of(length));
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         sums[i] = i < length ? is_kept(input, flags, i) : 0;
 }
@@ -22,7 +22,7 @@ __kernel void rsh_reduce_blelloch_begin(RSH_STREAM, __global uint* sums)
 /* Nodes of 2 * half leaves: the last leaf's place takes the sum of both halves. */
 __kernel void rsh_reduce_blelloch_up(RSH_STREAM, uint half_leaves, __global uint* sums)
 {
-    const rsh_stride mine = my_elements(leaves_of(RSH_LENGTH) / 2 / half_leaves);
+    const strided_range mine = my_elements(leaves_of(RSH_LENGTH) / 2 / half_leaves);
     for (uint n = mine.begin; n < mine.end; n += mine.step) {
         __global uint* node = sums + (ulong)n * 2 * half_leaves;
         node[2 * half_leaves - 1] += node[half_leaves - 1];
@@ -41,7 +41,7 @@ __kernel void rsh_reduce_blelloch_root(RSH_STREAM, __global uint* sums,
  * left one's sum. */
 __kernel void rsh_reduce_blelloch_down(RSH_STREAM, uint half_leaves, __global uint* sums)
 {
-    const rsh_stride mine = my_elements(leaves_of(RSH_LENGTH) / 2 / half_leaves);
+    const strided_range mine = my_elements(leaves_of(RSH_LENGTH) / 2 / half_leaves);
     for (uint n = mine.begin; n < mine.end; n += mine.step) {
         __global uint* node = sums + (ulong)n * 2 * half_leaves;
         const uint left = node[half_leaves - 1], before = node[2 * half_leaves - 1];
@@ -53,7 +53,7 @@ __kernel void rsh_reduce_blelloch_down(RSH_STREAM, uint half_leaves, __global ui
 __kernel void rsh_reduce_blelloch_scatter(RSH_STREAM, __global const uint* sums,
                                           __global uint* output)
 {
-    const rsh_stride mine = my_elements(RSH_LENGTH);
+    const strided_range mine = my_elements(RSH_LENGTH);
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         if (is_kept(input, flags, i)) store_element(load_element(i, input), sums[i], output);
 }

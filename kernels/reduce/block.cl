@@ -1,11 +1,11 @@
 /* block.cl - stream reduction by blocks (Roger, Assarsson, Holzschuch, GPGPU 2007):
  * blocks of fixed size are reduced on their own, the block counts are scanned
- * (reduce/scan_counts.cl), then each block's run is moved to its place. Stable.
+ * (reduce/scan_counts.cl), then each block's range is moved to its place. Stable.
  *   input, flags  in   the stream
  *   reduced       scratch, as long as the stream: block b's kept elements from b * block on
- *   counts        scratch, one per block, then where the block's run begins
+ *   counts        scratch, one per block, then where the block's range begins
  *   output        out  its kept elements, packed
- * Moving a run of known length to a known place is what the paper draws as a line segment: no
+ * Moving a range of known length to a known place is what the paper draws as a line segment: no
  * element is looked at again. Within a block: a work-item alone, or a group by prefix sum and
  * direct scatter, or, as where nothing could scatter, by prefix sum and dichotomic search.
  */
@@ -16,17 +16,17 @@ __kernel void rsh_reduce_block_items(RSH_STREAM, uint block, uint blocks,
 {
     const uint length = RSH_LENGTH;
     for (uint b = get_global_id(0); b < blocks; b += get_global_size(0)) {
-        const rsh_run run = tile_run(b, block, length);
-        counts[b] = count_run(input, flags, run);
-        pack_run(input, flags, run, counts[b], reduced, run.begin);
+        const stream_range range = tile_range(b, block, length);
+        counts[b] = count_range(input, flags, range);
+        pack_range(input, flags, range, counts[b], reduced, range.begin);
     }
 }
 
 __kernel void rsh_reduce_block_scatter(RSH_STREAM, __global uint* reduced,
                                        __global uint* counts, __local uint* sums)
 {
-    const rsh_run tile = tile_run(get_group_id(0), tile_size(), RSH_LENGTH);
-    const rsh_rank rank = rank_tile(input, flags, tile, sums);
+    const stream_range tile = tile_range(get_group_id(0), tile_size(), RSH_LENGTH);
+    const tile_rank rank = rank_tile(input, flags, tile, sums);
     scatter_tile(input, tile, rank, reduced, tile.begin);
     if (get_local_id(0) == 0) counts[get_group_id(0)] = rank.total;
 }
@@ -51,7 +51,7 @@ __kernel void rsh_reduce_block_search(RSH_STREAM, __global uint* reduced, __glob
                                       __local uint* sums)
 {
     const uint me = get_local_id(0), size = get_local_size(0);
-    const rsh_run tile = tile_run(get_group_id(0), size, RSH_LENGTH);
+    const stream_range tile = tile_range(get_group_id(0), size, RSH_LENGTH);
     const bool keeps = tile.begin + me < tile.end && is_kept(input, flags, tile.begin + me);
     scan_group(keeps, sums);
     const uint kept = sums[size - 1];
@@ -62,7 +62,7 @@ __kernel void rsh_reduce_block_search(RSH_STREAM, __global uint* reduced, __glob
     if (me == 0) counts[get_group_id(0)] = kept;
 }
 
-/* Runs are moved by groups, word by word. */
+/* Ranges are moved by groups, word by word. */
 __kernel void rsh_reduce_block_move(RSH_STREAM, uint block, uint blocks,
                                     __global const uint* reduced, __global const uint* places,
                                     __global const uint* output_count, uint output_index,

@@ -10,7 +10,7 @@
 
 __kernel void rsh_reduce_horn_begin(RSH_STREAM, __global uint* sums)
 {
-    const rsh_stride mine = my_elements(RSH_LENGTH);
+    const strided_range mine = my_elements(RSH_LENGTH);
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         sums[i] = 1 - is_kept(input, flags, i);
 }
@@ -18,7 +18,7 @@ __kernel void rsh_reduce_horn_begin(RSH_STREAM, __global uint* sums)
 __kernel void rsh_reduce_horn_step(RSH_STREAM, uint step, __global const uint* from,
                                    __global uint* to)
 {
-    const rsh_stride mine = my_elements(RSH_LENGTH);
+    const strided_range mine = my_elements(RSH_LENGTH);
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         to[i] = from[i] + (i >= step ? from[i - step] : 0);
 }
@@ -45,7 +45,7 @@ __kernel void rsh_reduce_horn_gather(RSH_STREAM, __global const uint* sums,
     const uint length = RSH_LENGTH;
     const uint kept = length > 0 ? length - sums[length - 1] : 0;
     if (get_global_id(0) == 0) output_count[output_index] = kept;
-    const rsh_stride mine = my_elements(kept);
+    const strided_range mine = my_elements(kept);
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         store_element(load_element(search_element(sums, length, i), input), i, output);
 }

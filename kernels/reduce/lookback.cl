@@ -18,7 +18,7 @@
 #define RSH_PATIENCE 10000
 #endif
 
-static uint look(volatile __global uint* word) { return atomic_add(word, 0); }
+static uint read_state(volatile __global uint* word) { return atomic_add(word, 0); }
 
 /* Kept elements in front of tile `index`. Every step either ends, goes one tile back or runs
  * out of patience. */
@@ -27,11 +27,11 @@ static uint look_back(__global const uint* input, __global const uchar* flags, u
 {
     uint before = 0, looks = 0;
     for (uint t = index; t > 0;) {
-        const uint through = look(states + 2 * (ulong)t);
+        const uint through = read_state(states + 2 * (ulong)t);
         if (through > 0) return before + through - 1;
-        uint alone = look(states + 2 * (ulong)t - 1);
+        uint alone = read_state(states + 2 * (ulong)t - 1);
         if (alone == 0 && ++looks > RSH_PATIENCE)
-            alone = 1 + count_run(input, flags, tile_run(t - 1, tile, length));
+            alone = 1 + count_range(input, flags, tile_range(t - 1, tile, length));
         if (alone == 0) continue;
         before += alone - 1;
         looks = 0;
@@ -55,12 +55,12 @@ __kernel void rsh_reduce_lookback_items(RSH_STREAM, uint tile, volatile __global
                                         __global uint* output, __global uint* output_count,
                                         uint output_index)
 {
-    const uint length = RSH_LENGTH, tiles = max(1u, tile_count(length, tile));
+    const uint length = RSH_LENGTH, tiles = max(1u, ceil_divide(length, tile));
     for (uint t = atomic_inc(states); t < tiles; t = atomic_inc(states)) {
-        const rsh_run run = tile_run(t, tile, length);
-        const uint kept = count_run(input, flags, run);
+        const stream_range range = tile_range(t, tile, length);
+        const uint kept = count_range(input, flags, range);
         const uint at = place_tile(input, flags, t, tile, length, kept, states);
-        pack_run(input, flags, run, kept, output, at);
+        pack_range(input, flags, range, kept, output, at);
         if (t == tiles - 1) output_count[output_index] = at + kept;
     }
 }
@@ -71,13 +71,13 @@ __kernel void rsh_reduce_lookback_group(RSH_STREAM, volatile __global uint* stat
                                         __global uint* output, __global uint* output_count,
                                         uint output_index, __local uint* sums)
 {
-    const uint length = RSH_LENGTH, tiles = max(1u, tile_count(length, tile_size()));
+    const uint length = RSH_LENGTH, tiles = max(1u, ceil_divide(length, tile_size()));
     __local uint* shared = sums + get_local_size(0);
     if (get_local_id(0) == 0) shared[0] = atomic_inc(states);
     barrier(CLK_LOCAL_MEM_FENCE);
     const uint index = shared[0];
-    const rsh_run tile = tile_run(index, tile_size(), length);
-    const rsh_rank rank = rank_tile(input, flags, tile, sums);
+    const stream_range tile = tile_range(index, tile_size(), length);
+    const tile_rank rank = rank_tile(input, flags, tile, sums);
     if (get_local_id(0) == 0) {
         shared[1] = index < tiles ? place_tile(input, flags, index, tile_size(), length,
                                                rank.total, states)

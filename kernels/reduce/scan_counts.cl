@@ -1,8 +1,8 @@
-/* scan_counts.cl - turns the counts of blocks into where their runs begin: an exclusive
+/* scan_counts.cl - turns the counts of blocks into where their ranges begin: an exclusive
  * prefix sum by one work-group, for the strategies that count first.
  *   counts  in/out  `blocks` of them
  *   output_count[output_index]  out  their sum
- * Each work-item sums a run of its own, so that one scan of the group is enough.
+ * Each work-item sums a range of its own, so that one scan of the group is enough.
  */
 #include "reduce/scan.h"
 
@@ -11,9 +11,9 @@ __kernel void rsh_reduce_scan_counts(__global uint* counts, uint blocks,
                                      __local uint* sums)
 {
     const uint me = get_local_id(0), size = get_local_size(0);
-    const uint run = blocks / size + (blocks % size != 0);
-    const uint begin = (uint)min((ulong)me * run, (ulong)blocks);
-    const uint end = begin + min(run, blocks - begin);
+    const uint range = blocks / size + (blocks % size != 0);
+    const uint begin = (uint)min((ulong)me * range, (ulong)blocks);
+    const uint end = begin + min(range, blocks - begin);
     uint sum = 0;
     for (uint b = begin; b < end; ++b) sum += counts[b];
     uint at = scan_group(sum, sums) - sum;

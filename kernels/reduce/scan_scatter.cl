@@ -9,7 +9,7 @@
 
 static uint tiles_per_group(uint length)
 {
-    return tile_count(tile_count(length, tile_size()), get_num_groups(0));
+    return ceil_divide(ceil_divide(length, tile_size()), get_num_groups(0));
 }
 
 __kernel void rsh_reduce_scan_scatter_count(RSH_STREAM, __global uint* counts,
@@ -18,7 +18,7 @@ __kernel void rsh_reduce_scan_scatter_count(RSH_STREAM, __global uint* counts,
     const uint length = RSH_LENGTH, tiles = tiles_per_group(length);
     uint kept = 0;
     for (uint t = 0; t < tiles; ++t) {
-        const rsh_run tile = tile_run(get_group_id(0) * tiles + t, tile_size(), length);
+        const stream_range tile = tile_range(get_group_id(0) * tiles + t, tile_size(), length);
         for (uint i = tile.begin + get_local_id(0); i < tile.end; i += get_local_size(0))
             kept += is_kept(input, flags, i);
     }
@@ -32,8 +32,8 @@ __kernel void rsh_reduce_scan_scatter_write(RSH_STREAM, __global const uint* cou
     const uint length = RSH_LENGTH, tiles = tiles_per_group(length);
     uint at = counts[get_group_id(0)];
     for (uint t = 0; t < tiles; ++t) {
-        const rsh_run tile = tile_run(get_group_id(0) * tiles + t, tile_size(), length);
-        const rsh_rank rank = rank_tile(input, flags, tile, sums);
+        const stream_range tile = tile_range(get_group_id(0) * tiles + t, tile_size(), length);
+        const tile_rank rank = rank_tile(input, flags, tile, sums);
         scatter_tile(input, tile, rank, output, at);
         at += rank.total;
     }

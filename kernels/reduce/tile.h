@@ -6,23 +6,23 @@
 #ifndef RSH_REDUCE_TILE_H
 #define RSH_REDUCE_TILE_H
 
-#include "reduce/run.h"
+#include "reduce/range.h"
 #include "reduce/scan.h"
 
 #define RSH_PER_ITEM 4u
 
-typedef struct rsh_rank {
+typedef struct tile_rank {
     uint kept;   /* bit k: my element k is kept                            */
     uint before; /* kept elements of the tile in front of mine             */
     uint total;  /* kept elements of the tile                              */
-} rsh_rank;
+} tile_rank;
 
 static uint tile_size(void) { return RSH_PER_ITEM * (uint)get_local_size(0); }
 
-static rsh_rank rank_tile(__global const uint* input, __global const uchar* flags, rsh_run tile,
-                          __local uint* sums)
+static tile_rank rank_tile(__global const uint* input, __global const uchar* flags,
+                           stream_range tile, __local uint* sums)
 {
-    rsh_rank rank = {0, 0, 0};
+    tile_rank rank = {0, 0, 0};
     const uint first = tile.begin + RSH_PER_ITEM * (uint)get_local_id(0);
     for (uint k = 0; k < RSH_PER_ITEM; ++k)
         if (first + k < tile.end) rank.kept |= is_kept(input, flags, first + k) << k;
@@ -33,7 +33,7 @@ static rsh_rank rank_tile(__global const uint* input, __global const uchar* flag
 }
 
 /* The tile's kept elements go to output[at ...]. */
-static void scatter_tile(__global const uint* input, rsh_run tile, rsh_rank rank,
+static void scatter_tile(__global const uint* input, stream_range tile, tile_rank rank,
                          __global uint* output, uint at)
 {
     const uint first = tile.begin + RSH_PER_ITEM * (uint)get_local_id(0);

@@ -9,7 +9,7 @@
 __kernel void rsh_clear_colour(__global const rsh_hit* hits, uint pixel_count,
                                __global float4* colour, __global uint* hit_count)
 {
-    const rsh_stride mine = my_elements(pixel_count);
+    const strided_range mine = my_elements(pixel_count);
     uint seen = 0;
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
         const uint is_hit = hits[i].primitive != RSH_NO_HIT;

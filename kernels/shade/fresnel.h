@@ -4,20 +4,20 @@
 
 #include "shade/surface.h"
 
-typedef struct rsh_dielectric {
+typedef struct dielectric {
     float eta;       /* index of refraction behind the surface / before it                   */
     float cosine;    /* of the angle between viewer and normal; negative where an interpolated
                         normal faces away                                                    */
     float refracted; /* eta * cosine of the refracted angle; 0: total internal reflection     */
-} rsh_dielectric;
+} dielectric;
 
 /* Snell's law: sin = eta sin', hence (eta cos')^2 = eta^2 - sin^2 = (eta - 1)(eta + 1) + cos^2,
  * a form in which nothing cancels near eta = 1. An index that is not positive and finite counts
  * as 1. */
-static rsh_dielectric dielectric_at(const rsh_surface* surface, float index)
+static dielectric dielectric_at(const surface_hit* surface, float index)
 {
     if (!(index > 0.0f) || isinf(index)) index = 1.0f;
-    rsh_dielectric at;
+    dielectric at;
     at.eta = surface->is_outside ? index : 1.0f / index;
     at.cosine = fmin(fmax(-dot3(surface->incident, surface->normal), -1.0f), 1.0f);
     at.refracted = sqrt(fmax((at.eta - 1.0f) * (at.eta + 1.0f) + at.cosine * at.cosine, 0.0f));
@@ -25,7 +25,7 @@ static rsh_dielectric dielectric_at(const rsh_surface* surface, float index)
 }
 
 /* Mean of the reflectances of both polarizations. */
-static float reflectance(rsh_dielectric at)
+static float reflectance(dielectric at)
 {
     if (!(at.refracted > 0.0f)) return 1.0f;
     const float cosine = fabs(at.cosine);
@@ -35,14 +35,14 @@ static float reflectance(rsh_dielectric at)
     return 0.5f * (across * across + along * along);
 }
 
-static float3 reflect_ray(const rsh_surface* surface)
+static float3 reflect_ray(const surface_hit* surface)
 {
     const float along = dot3(surface->incident, surface->normal);
     return unit3(surface->incident - 2.0f * along * surface->normal);
 }
 
 /* Meaningless under total internal reflection, where its weight is 0. */
-static float3 refract_ray(const rsh_surface* surface, rsh_dielectric at)
+static float3 refract_ray(const surface_hit* surface, dielectric at)
 {
     return unit3(surface->incident + (at.cosine - at.refracted) * surface->normal);
 }

@@ -6,10 +6,10 @@
 
 #include "shade/offset.h"
 
-typedef struct rsh_arrival {
+typedef struct light_arrival {
     float3 direction; /* unit, from the surface to the light */
     float3 colour;    /* after attenuation and cone          */
-} rsh_arrival;
+} light_arrival;
 
 static bool is_positional(rsh_light light)
 {
@@ -35,9 +35,9 @@ static float cone_share(rsh_light light, float cosine)
 }
 
 /* Before it is known which way the surface faces. */
-static rsh_arrival arrival_at(rsh_light light, float3 point)
+static light_arrival arrival_at(rsh_light light, float3 point)
 {
-    rsh_arrival arrival = {(float3)(0.0f), light.colour.xyz};
+    light_arrival arrival = {(float3)(0.0f), light.colour.xyz};
     if (light.kind == RSH_LIGHT_DIRECTIONAL) {
         arrival.direction = unit3(-light.direction.xyz);
     } else if (is_positional(light)) {
@@ -52,7 +52,7 @@ static rsh_arrival arrival_at(rsh_light light, float3 point)
 }
 
 /* False: the surface faces away from the light, is outside of its cone, or gets no colour. */
-static bool light_arrives(rsh_light light, const rsh_surface* surface, rsh_arrival* arrival)
+static bool light_arrives(rsh_light light, const surface_hit* surface, light_arrival* arrival)
 {
     *arrival = arrival_at(light, surface->point);
     return dot3(surface->geometric, arrival->direction) > RSH_GRAZING &&

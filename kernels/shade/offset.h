@@ -31,7 +31,7 @@
 /* The cosine between surface and ray below which "moves away" could be rounding. */
 #define RSH_GRAZING 0x1p-18f
 
-static float triangle_extent(rsh_triangle p)
+static float triangle_extent(triangle_points p)
 {
     const float3 low = fmin(p.v0, fmin(p.v1, p.v2));
     const float3 high = fmax(p.v0, fmax(p.v1, p.v2));
@@ -39,7 +39,7 @@ static float triangle_extent(rsh_triangle p)
 }
 
 /* `side`: the geometric normal, towards the side that the ray leaves to. */
-static float3 leave_surface(const rsh_surface* surface, float3 side)
+static float3 leave_surface(const surface_hit* surface, float3 side)
 {
     const float distance = 0x1p-18f * triangle_extent(surface->triangle) +
                            0x1p-22f * dot3(fabs(side), fabs(surface->point)) + 0x1p-124f;

@@ -14,19 +14,19 @@
 #define RSH_ENVIRONMENT_IMAGE 0
 #endif
 
-typedef struct rsh_lights {
+typedef struct light_list {
     __global const rsh_light* lights;
     uint count;
     uint hidden; /* bit k: light k */
-} rsh_lights;
+} light_list;
 
-static float3 texture_colour(const rsh_shape* shape, const rsh_images* images,
+static float3 texture_colour(const surface_buffers* buffers, const image_list* images,
                              __global const float* texcoords, rsh_hit hit, uint texture)
 {
 #if RSH_TEXTURE
     if (texture >= images->texture_count) return (float3)(1.0f);
     uint corner[3];
-    triangle_vertices(shape->mesh, shape->indices, hit.primitive, corner);
+    triangle_vertices(buffers->mesh, buffers->indices, hit.primitive, corner);
     const float2 uv = (1.0f - hit.u - hit.v) * vload2(corner[0], texcoords) +
                       hit.u * vload2(corner[1], texcoords) +
                       hit.v * vload2(corner[2], texcoords);
@@ -37,7 +37,7 @@ static float3 texture_colour(const rsh_shape* shape, const rsh_images* images,
 }
 
 /* Blinn 1977: the highlight is where the normal lies halfway between light and viewer. */
-static float3 sent_back(const rsh_surface* surface, float3 to_light, float3 diffuse,
+static float3 sent_back(const surface_hit* surface, float3 to_light, float3 diffuse,
                         float4 specular)
 {
     float3 share = diffuse * dot3(surface->normal, to_light);
@@ -49,12 +49,12 @@ static float3 sent_back(const rsh_surface* surface, float3 to_light, float3 diff
     return share;
 }
 
-static float3 direct_light(const rsh_surface* surface, const rsh_lights* lights, float3 diffuse,
+static float3 direct_light(const surface_hit* surface, const light_list* lights, float3 diffuse,
                            float4 specular)
 {
     float3 sum = (float3)(0.0f);
     for (uint k = 0; k < lights->count; ++k) {
-        rsh_arrival arrival;
+        light_arrival arrival;
         if (lights->hidden >> k & 1) continue;
         if (!light_arrives(lights->lights[k], surface, &arrival)) continue;
         sum += arrival.colour * sent_back(surface, arrival.direction, diffuse, specular);
@@ -62,7 +62,7 @@ static float3 direct_light(const rsh_surface* surface, const rsh_lights* lights,
     return sum;
 }
 
-static float3 environment_colour(const rsh_images* images, uint image, float3 plain,
+static float3 environment_colour(const image_list* images, uint image, float3 plain,
                                  float3 direction)
 {
 #if RSH_ENVIRONMENT_IMAGE
@@ -73,7 +73,7 @@ static float3 environment_colour(const rsh_images* images, uint image, float3 pl
 #endif
 }
 
-__kernel void rsh_shade(rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const float* texcoords, __global const uint* material_ids,
                         __global const rsh_material* materials, uint material_count,
@@ -87,17 +87,19 @@ __kernel void rsh_shade(rsh_mesh mesh, __global const float* vertices,
     const uint i = get_global_id(0);
     if (i >= ray_count || !is_active(rays[i])) return;
     const float3 weight = weights ? weights[i].xyz : (float3)(1.0f);
-    const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
-    const rsh_images images = {textures, texture_count, texels};
+    const surface_buffers buffers = {mesh,    vertices,     indices,
+                                     normals, material_ids, material_count};
+    const image_list images = {textures, texture_count, texels};
     const rsh_hit hit = hits[i];
 
-    rsh_surface surface;
+    surface_hit surface;
     float3 seen;
-    if (find_surface(&shape, rays[i], hit, &surface)) {
+    if (find_surface(&buffers, rays[i], hit, &surface)) {
         const rsh_material material = materials[surface.material];
-        const rsh_lights near = {lights, light_count, occlusion ? occlusion[i] : 0};
-        const float3 diffuse = material.diffuse.xyz * texture_colour(&shape, &images, texcoords,
-                                                                     hit, material.texture);
+        const light_list near = {lights, light_count, occlusion ? occlusion[i] : 0};
+        const float3 diffuse =
+            material.diffuse.xyz *
+            texture_colour(&buffers, &images, texcoords, hit, material.texture);
         seen = material.emission.xyz + material.ambient.xyz * ambient.xyz +
                direct_light(&surface, &near, diffuse, material.specular);
     } else {

@@ -13,11 +13,11 @@
 #define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */
 #endif
 
-typedef struct rsh_branch {
+typedef struct spawned_branch {
     float3 direction;
     float3 side; /* geometric normal, towards the side that the ray leaves to */
     float3 weight;
-} rsh_branch;
+} spawned_branch;
 
 static bool transmits(__global const rsh_material* material)
 {
@@ -25,32 +25,32 @@ static bool transmits(__global const rsh_material* material)
 }
 
 /* Most surfaces of most scenes send out no ray: known before their triangle is read. */
-static bool may_branch(const rsh_shape* shape, __global const rsh_material* materials,
+static bool may_branch(const surface_buffers* buffers, __global const rsh_material* materials,
                        rsh_hit hit, bool is_refracted)
 {
-    if (hit.primitive >= shape->mesh.triangle_count) return false;
-    __global const rsh_material* material = materials + material_of(shape, hit.primitive);
+    if (hit.primitive >= buffers->mesh.triangle_count) return false;
+    __global const rsh_material* material = materials + material_of(buffers, hit.primitive);
     if (is_refracted) return transmits(material);
     return largest3(material->reflection.xyz) > 0.0f ||
            (RSH_TRANSMISSION && transmits(material));
 }
 
-static rsh_branch refracted_branch(const rsh_surface* surface,
-                                   __global const rsh_material* material)
+static spawned_branch refracted_branch(const surface_hit* surface,
+                                       __global const rsh_material* material)
 {
     const float4 transmission = material->transmission;
-    const rsh_dielectric at = dielectric_at(surface, transmission.w);
-    rsh_branch branch;
+    const dielectric at = dielectric_at(surface, transmission.w);
+    spawned_branch branch;
     branch.side = -surface->geometric;
     branch.direction = keep_on_side(refract_ray(surface, at), branch.side);
     branch.weight = (1.0f - reflectance(at)) * transmission.xyz;
     return branch;
 }
 
-static rsh_branch reflected_branch(const rsh_surface* surface,
-                                   __global const rsh_material* material)
+static spawned_branch reflected_branch(const surface_hit* surface,
+                                       __global const rsh_material* material)
 {
-    rsh_branch branch;
+    spawned_branch branch;
     branch.side = surface->geometric;
     branch.direction = keep_on_side(reflect_ray(surface), branch.side);
     branch.weight = material->reflection.xyz;
@@ -67,7 +67,7 @@ static bool is_worth(float3 weight, float min_weight)
     return is_finite3(weight) && largest3(weight) > fmax(min_weight, 0.0f);
 }
 
-__kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const uint* material_ids,
                         __global const rsh_material* materials, uint material_count,
@@ -76,18 +76,19 @@ __kernel void rsh_spawn(rsh_mesh mesh, __global const float* vertices,
                         __global const float4* weights, __global rsh_ray* spawned_rays,
                         __global float4* spawned_weights, __global uint* active_count)
 {
-    const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
-    const rsh_stride mine = my_elements(ray_count);
+    const surface_buffers buffers = {mesh,    vertices,     indices,
+                                     normals, material_ids, material_count};
+    const strided_range mine = my_elements(ray_count);
     uint active = 0;
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
         rsh_ray spawned = inactive_ray();
         float3 weight = (float3)(0.0f);
-        rsh_surface surface;
-        if (may_branch(&shape, materials, hits[i], is_refracted) &&
-            find_surface(&shape, rays[i], hits[i], &surface)) {
+        surface_hit surface;
+        if (may_branch(&buffers, materials, hits[i], is_refracted) &&
+            find_surface(&buffers, rays[i], hits[i], &surface)) {
             __global const rsh_material* material = materials + surface.material;
-            const rsh_branch branch = is_refracted ? refracted_branch(&surface, material)
-                                                   : reflected_branch(&surface, material);
+            const spawned_branch branch = is_refracted ? refracted_branch(&surface, material)
+                                                       : reflected_branch(&surface, material);
             const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
             const rsh_ray ray =
                 ray_from(leave_surface(&surface, branch.side), branch.direction, INFINITY);

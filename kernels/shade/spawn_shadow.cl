@@ -18,9 +18,9 @@ static bool is_lit(__global const rsh_material* material)
 }
 
 /* False also for a light closer to the surface than the origin's offset. */
-static bool shadow_ray(rsh_light light, const rsh_surface* surface, rsh_ray* ray)
+static bool shadow_ray(rsh_light light, const surface_hit* surface, rsh_ray* ray)
 {
-    rsh_arrival arrival;
+    light_arrival arrival;
     if (!light.casts_shadow || !light_arrives(light, surface, &arrival)) return false;
     const float3 origin = leave_surface(surface, surface->geometric);
     if (is_positional(light))
@@ -31,7 +31,7 @@ static bool shadow_ray(rsh_light light, const rsh_surface* surface, rsh_ray* ray
            dot3(surface->geometric, unit3(ray->direction_tmax.xyz)) > RSH_GRAZING;
 }
 
-__kernel void rsh_spawn_shadow(rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
                                __global const uint* indices, __global const float* normals,
                                __global const uint* material_ids,
                                __global const rsh_material* materials, uint material_count,
@@ -39,14 +39,15 @@ __kernel void rsh_spawn_shadow(rsh_mesh mesh, __global const float* vertices,
                                __global const rsh_ray* rays, __global const rsh_hit* hits,
                                __global rsh_ray* spawned_rays, __global uint* active_count)
 {
-    const rsh_shape shape = {mesh, vertices, indices, normals, material_ids, material_count};
+    const surface_buffers buffers = {mesh,    vertices,     indices,
+                                     normals, material_ids, material_count};
     const rsh_light source = lights[light];
-    const rsh_stride mine = my_elements(ray_count);
+    const strided_range mine = my_elements(ray_count);
     uint active = 0;
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
         rsh_ray ray;
-        rsh_surface surface;
-        if (find_surface(&shape, rays[i], hits[i], &surface) &&
+        surface_hit surface;
+        if (find_surface(&buffers, rays[i], hits[i], &surface) &&
             is_lit(materials + surface.material) && shadow_ray(source, &surface, &ray))
             ++active;
         else

@@ -20,7 +20,7 @@ static rsh_ray ray_from(float3 origin, float3 direction, float tmax)
     return ray;
 }
 
-/* One atomic per work-item, which makes a run of rays. */
+/* One atomic per work-item, which makes a range of rays. */
 static void add_active(__global uint* active_count, uint active)
 {
     if (active_count && active > 0) atomic_add(active_count, active);

@@ -7,11 +7,11 @@
 #include "mesh/algebra.h"
 #include "shade/srgb.h"
 
-typedef struct rsh_images {
+typedef struct image_list {
     __global const rsh_texture* textures;
     uint texture_count;
     __global const uint* texels;
-} rsh_images;
+} image_list;
 
 static float3 texel(rsh_texture image, __global const uint* texels, int column, int row)
 {
@@ -25,16 +25,16 @@ static float3 texel(rsh_texture image, __global const uint* texels, int column, 
 
 /* Texel centres lie at (i + 0.5) / size, so `position` 0.5 is the first centre: lower and upper
  * neighbour, and the weight of the upper. `position` is within 0 .. size. */
-typedef struct rsh_neighbours {
+typedef struct texel_neighbours {
     int low, high;
     float weight;
-} rsh_neighbours;
+} texel_neighbours;
 
-static rsh_neighbours neighbours(float position, uint size, bool repeats)
+static texel_neighbours neighbours(float position, uint size, bool repeats)
 {
     const int last = (int)size - 1;
     const float low = floor(position - 0.5f);
-    rsh_neighbours n = {(int)low, (int)low + 1, position - 0.5f - low};
+    texel_neighbours n = {(int)low, (int)low + 1, position - 0.5f - low};
     if (n.low < 0) n.low = repeats ? last : 0;
     if (n.high > last) n.high = repeats ? 0 : last;
     if (n.low > last) n.low = last;
@@ -46,14 +46,14 @@ static float repeated(float x) { return isfinite(x) ? x - floor(x) : 0.0f; }
 
 /* Rows run downwards from v = 1. Horizontally images repeat, vertically if `repeats`. White:
  * there is no such image, or it has no texel. */
-static float3 sample_image(const rsh_images* images, uint texture, float2 uv, bool repeats)
+static float3 sample_image(const image_list* images, uint texture, float2 uv, bool repeats)
 {
     if (texture >= images->texture_count) return (float3)(1.0f);
     const rsh_texture image = images->textures[texture];
     if (image.width == 0 || image.height == 0) return (float3)(1.0f);
-    const rsh_neighbours x = neighbours(repeated(uv.x) * image.width, image.width, true);
+    const texel_neighbours x = neighbours(repeated(uv.x) * image.width, image.width, true);
     const float v = repeats ? repeated(uv.y) : fmin(fmax(uv.y, 0.0f), 1.0f);
-    const rsh_neighbours y = neighbours((1.0f - v) * image.height, image.height, repeats);
+    const texel_neighbours y = neighbours((1.0f - v) * image.height, image.height, repeats);
     __global const uint* texels = images->texels;
     const float3 upper = texel(image, texels, x.low, y.low) * (1.0f - x.weight) +
                          texel(image, texels, x.high, y.low) * x.weight;

@@ -1,15 +1,15 @@
 /* brute_force.cl - every ray against every triangle: the yardstick of all engines.
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
- * A work-item holds RSH_BLOCKS vectors of rays while the triangles stream past.
+ * A work-item holds RSH_VECTORS_PER_ITEM vectors of rays while the triangles stream past.
  */
 #include "mesh/intersect.h"
 
-#define RSH_BLOCKS 4
-#define RSH_RAYS (RSH_BLOCKS * RSH_WIDTH)
+#define RSH_VECTORS_PER_ITEM 4
+#define RSH_RAYS_PER_ITEM (RSH_VECTORS_PER_ITEM * RSH_WIDTH)
 
 /* Rays behind the end, and inactive ones, get an empty interval. */
-static rsh_sheared load_rays(__global const rsh_ray* rays, uint first, uint ray_count)
+static sheared_rays load_sheared_rays(__global const rsh_ray* rays, uint first, uint ray_count)
 {
     float lanes[8][RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {
@@ -25,8 +25,8 @@ static rsh_sheared load_rays(__global const rsh_ray* rays, uint first, uint ray_
                       load_lanes(lanes[3]), load_lanes(lanes[7]));
 }
 
-static void store_hits(__global const rsh_ray* rays, __global rsh_hit* hits, uint first,
-                       uint ray_count, const rsh_best* best)
+static void store_lane_hits(__global const rsh_ray* rays, __global rsh_hit* hits, uint first,
+                            uint ray_count, const closest_hits* best)
 {
     float t[RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
     uint primitive[RSH_WIDTH];
@@ -41,8 +41,8 @@ static void store_hits(__global const rsh_ray* rays, __global rsh_hit* hits, uin
     }
 }
 
-static void store_occlusion(__global uint* occlusion, uint bit, uint first, uint ray_count,
-                            const rsh_best* best)
+static void store_lane_occlusion(__global uint* occlusion, uint bit, uint first, uint ray_count,
+                                 const closest_hits* best)
 {
     uint primitive[RSH_WIDTH];
     store_lanes(best->primitive, primitive);
@@ -50,32 +50,32 @@ static void store_occlusion(__global uint* occlusion, uint bit, uint first, uint
         if (primitive[i] != RSH_NO_HIT) occlusion[first + i] |= bit;
 }
 
-__kernel void rsh_brute_force(rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
                               __global const uint* indices, __global const rsh_ray* rays,
                               uint ray_count, __global rsh_hit* hits, __global uint* occlusion,
                               uint occlusion_bit)
 {
-    const uint first = get_global_id(0) * RSH_RAYS;
+    const uint first = get_global_id(0) * RSH_RAYS_PER_ITEM;
     if (first >= ray_count) return;
-    rsh_sheared sheared[RSH_BLOCKS];
-    rsh_best best[RSH_BLOCKS];
-    for (int b = 0; b < RSH_BLOCKS; ++b) {
-        sheared[b] = load_rays(rays, first + b * RSH_WIDTH, ray_count);
+    sheared_rays sheared[RSH_VECTORS_PER_ITEM];
+    closest_hits best[RSH_VECTORS_PER_ITEM];
+    for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
+        sheared[b] = load_sheared_rays(rays, first + b * RSH_WIDTH, ray_count);
         best[b] = no_hits();
     }
     for (uint i = 0; i < mesh.triangle_count; ++i) {
-        rsh_triangle p;
+        triangle_points p;
         if (!load_triangle(mesh, vertices, indices, i, &p)) continue;
         floatv corner[9];
-        spread_triangle(p, corner);
-        for (int b = 0; b < RSH_BLOCKS; ++b)
+        broadcast_triangle(p, corner);
+        for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b)
             keep_closer(&best[b], intersect(sheared[b], corner), i);
     }
-    for (int b = 0; b < RSH_BLOCKS; ++b) {
+    for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
         if (occlusion_bit)
-            store_occlusion(occlusion, occlusion_bit, first + b * RSH_WIDTH, ray_count,
-                            &best[b]);
+            store_lane_occlusion(occlusion, occlusion_bit, first + b * RSH_WIDTH, ray_count,
+                                 &best[b]);
         else
-            store_hits(rays, hits, first + b * RSH_WIDTH, ray_count, &best[b]);
+            store_lane_hits(rays, hits, first + b * RSH_WIDTH, ray_count, &best[b]);
     }
 }

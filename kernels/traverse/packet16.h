@@ -6,51 +6,51 @@
 #include "mesh/intersect.h"
 #include "rays/box_node.h"
 
-typedef struct rsh_block {
-    rsh_sheared ray[RSH_VECTORS];          /* tmax: of the closest hit so far; -1: retired */
+typedef struct ray_packet {
+    sheared_rays ray[RSH_VECTORS];         /* tmax: of the closest hit so far; -1: retired */
     floatv inverse[3][RSH_VECTORS];        /* of the direction */
     intv is_negative[3][RSH_VECTORS];      /* the direction */
     floatv u[RSH_VECTORS], v[RSH_VECTORS]; /* of the closest hit */
     uintv primitive[RSH_VECTORS];
     floatv given_tmax[RSH_VECTORS];
-    rsh_bundle bundle; /* of all rays */
-    float pad;         /* of the origins, as in rays/box_node.h */
-    uint axis;         /* kz of all rays; 3: they differ */
-    bool is_fit;       /* for rays_meeting and lone_ray: no direction too small to divide by */
-} rsh_block;
+    interval_packet intervals; /* of all rays */
+    float pad;                 /* of the origins, as in rays/box_node.h */
+    uint axis;                 /* kz of all rays; 3: they differ */
+    bool is_fit; /* for rays_meeting and single_ray_of: no direction too small to divide by */
+} ray_packet;
 
 /* kz, where all active rays have the same. */
-static uint common_axis(const rsh_block* block, uint active)
+static uint common_axis(const ray_packet* packet, uint active)
 {
     uint is_x = 0, is_y = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        is_x |= RSH_LANE_BITS(block->ray[v].kz_is_x) << (RSH_WIDTH * v);
-        is_y |= RSH_LANE_BITS(block->ray[v].kz_is_y) << (RSH_WIDTH * v);
+        is_x |= RSH_LANE_BITS(packet->ray[v].kz_is_x) << (RSH_WIDTH * v);
+        is_y |= RSH_LANE_BITS(packet->ray[v].kz_is_y) << (RSH_WIDTH * v);
     }
     if ((is_x & active) == active) return 0;
     if ((is_y & active) == active) return 1;
     return ((is_x | is_y) & active) == 0 ? 2 : 3;
 }
 
-static void load_block(rsh_block* block, rsh_tile tile, uint b, __global const rsh_ray* rays)
+static void load_packet(ray_packet* packet, ray_tile tile, uint b, __global const rsh_ray* rays)
 {
-    rsh_ray_block given;
-    load_rays(tile, b, rays, &given);
+    ray_block given;
+    load_block(tile, b, rays, &given);
     floatv reach[RSH_VECTORS];
     uint tiny = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         const intv is_active = given.is_active[v];
-        block->given_tmax[v] = given.row[RSH_TMAX][v];
-        block->ray[v] = shear_rays(given.row[0][v], given.row[1][v], given.row[2][v],
-                                   given.row[RSH_DIRECTION][v], given.row[RSH_DIRECTION + 1][v],
-                                   given.row[RSH_DIRECTION + 2][v], given.row[RSH_TMIN][v],
-                                   select((floatv)(-1.0f), given.row[RSH_TMAX][v], is_active));
-        block->primitive[v] = (uintv)(RSH_NO_HIT);
-        block->u[v] = block->v[v] = reach[v] = (floatv)(0.0f);
+        packet->given_tmax[v] = given.row[RSH_TMAX][v];
+        packet->ray[v] = shear_rays(
+            given.row[0][v], given.row[1][v], given.row[2][v], given.row[RSH_DIRECTION][v],
+            given.row[RSH_DIRECTION + 1][v], given.row[RSH_DIRECTION + 2][v],
+            given.row[RSH_TMIN][v], select((floatv)(-1.0f), given.row[RSH_TMAX][v], is_active));
+        packet->primitive[v] = (uintv)(RSH_NO_HIT);
+        packet->u[v] = packet->v[v] = reach[v] = (floatv)(0.0f);
         for (uint axis = 0; axis < 3; ++axis) {
             const floatv d = given.row[RSH_DIRECTION + axis][v] + (floatv)(0.0f); /* no -0 */
-            block->is_negative[axis][v] = d < (floatv)(0.0f);
-            block->inverse[axis][v] = (floatv)(1.0f) / d;
+            packet->is_negative[axis][v] = d < (floatv)(0.0f);
+            packet->inverse[axis][v] = (floatv)(1.0f) / d;
             const intv is_tiny =
                 is_active & (d != (floatv)(0.0f)) & (fabs(d) < (floatv)(0x1p-120f));
             tiny |= RSH_LANE_BITS(is_tiny);
@@ -58,37 +58,37 @@ static void load_block(rsh_block* block, rsh_tile tile, uint b, __global const r
                 greater(select((floatv)(0.0f), fabs(given.row[axis][v]), is_active), reach[v]);
         }
     }
-    block->pad = pad_of(largest_lane(reach));
-    block->axis = common_axis(block, active_lanes(&given));
-    block->is_fit = tiny == 0;
+    packet->pad = pad_of(largest_lane(reach));
+    packet->axis = common_axis(packet, active_lanes(&given));
+    packet->is_fit = tiny == 0;
 }
 
 /* tmax of the farthest ray, or -1 when none is left; raised as in rays/box_node.h. */
-static float block_limit(const rsh_block* block)
+static float packet_limit(const ray_packet* packet)
 {
     floatv tmax[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) tmax[v] = block->ray[v].tmax;
+    for (uint v = 0; v < RSH_VECTORS; ++v) tmax[v] = packet->ray[v].tmax;
     return largest_lane(tmax) * RSH_RAISED;
 }
 
 /* Which rays meet the box: the slab test of rays/box_node.h, where a node is one ray. sign: that of all
  * directions per axis, or 0. */
-static uint rays_meeting(const rsh_block* block, const int* sign, const float* box_low,
+static uint rays_meeting(const ray_packet* packet, const int* sign, const float* box_low,
                          const float* box_high)
 {
     uint met = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const rsh_sheared r = block->ray[v];
+        const sheared_rays r = packet->ray[v];
         const floatv origin[3] = {r.origin_x, r.origin_y, r.origin_z};
         floatv from = (floatv)(0.0f), to = r.tmax;
         for (uint axis = 0; axis < 3; ++axis) {
-            const float low = box_low[axis] - block->pad, high = box_high[axis] + block->pad;
-            const floatv inverse = block->inverse[axis][v];
+            const float low = box_low[axis] - packet->pad, high = box_high[axis] + packet->pad;
+            const floatv inverse = packet->inverse[axis][v];
             floatv near = (floatv)(sign[axis] < 0 ? high : low);
             floatv far = (floatv)(sign[axis] < 0 ? low : high);
             if (!sign[axis]) {
-                near = select(near, (floatv)(high), block->is_negative[axis][v]);
-                far = select(far, (floatv)(low), block->is_negative[axis][v]);
+                near = select(near, (floatv)(high), packet->is_negative[axis][v]);
+                far = select(far, (floatv)(low), packet->is_negative[axis][v]);
             }
             from = greater((near - origin[axis]) * inverse, from);
             to = lesser((far - origin[axis]) * inverse, to);
@@ -101,10 +101,10 @@ static uint rays_meeting(const rsh_block* block, const int* sign, const float* b
 static float lane_of(const floatv* v, uint k) { return ((const float*)v)[k]; }
 
 /* A triangle for all lanes, by its corners in a row. */
-typedef struct rsh_corners {
+typedef struct triangle_corners {
     float at[12]; /* x y z of three; the rest is never looked at */
     float scale;  /* see triangle_scale */
-} rsh_corners;
+} triangle_corners;
 
 static float scale_of(const float* at)
 {
@@ -114,10 +114,11 @@ static float scale_of(const float* at)
     return lane_of(&scale, 0);
 }
 
-static void fetch_corners(rsh_corners* corners, rsh_mesh mesh, __global const float* vertices,
-                          __global const uint* indices, uint triangle)
+static void fetch_corners(triangle_corners* corners, mesh_view mesh,
+                          __global const float* vertices, __global const uint* indices,
+                          uint triangle)
 {
-    rsh_triangle p;
+    triangle_points p;
     load_triangle(mesh, vertices, indices, triangle, &p);
     vstore3(p.v0, 0, corners->at);
     vstore3(p.v1, 1, corners->at);
@@ -125,8 +126,8 @@ static void fetch_corners(rsh_corners* corners, rsh_mesh mesh, __global const fl
     corners->scale = scale_of(corners->at);
 }
 
-/* see_corners of mesh/intersect.h, where all rays share kz: nothing to select. */
-#define RSH_SEE(axis_x, axis_y, axis_z, ox, oy, oz)                \
+/* to_ray_space of mesh/intersect.h, where all rays share kz: nothing to select. */
+#define RSH_TO_RAY_SPACE(axis_x, axis_y, axis_z, ox, oy, oz)       \
     do {                                                           \
         s.az = (floatv)(at[axis_z]) - oz;                          \
         s.bz = (floatv)(at[3 + axis_z]) - oz;                      \
@@ -139,49 +140,49 @@ static void fetch_corners(rsh_corners* corners, rsh_mesh mesh, __global const fl
         s.cy = ((floatv)(at[6 + axis_y]) - oy) - r.slope_y * s.cz; \
     } while (0)
 
-static rsh_seen see_triangle(rsh_sheared r, uint axis, const float* at)
+static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const float* at)
 {
-    rsh_seen s;
+    ray_space_corners s;
     if (axis == 0) {
-        RSH_SEE(1, 2, 0, r.origin_y, r.origin_z, r.origin_x);
+        RSH_TO_RAY_SPACE(1, 2, 0, r.origin_y, r.origin_z, r.origin_x);
     } else if (axis == 1) {
-        RSH_SEE(2, 0, 1, r.origin_z, r.origin_x, r.origin_y);
+        RSH_TO_RAY_SPACE(2, 0, 1, r.origin_z, r.origin_x, r.origin_y);
     } else if (axis == 2) {
-        RSH_SEE(0, 1, 2, r.origin_x, r.origin_y, r.origin_z);
+        RSH_TO_RAY_SPACE(0, 1, 2, r.origin_x, r.origin_y, r.origin_z);
     } else {
         floatv corner[9];
         for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[i]);
-        s = see_corners(r, corner);
+        s = to_ray_space(r, corner);
     }
     return s;
 }
 
 /* True if a ray has a closer hit now. Of equal t, the lower triangle stays, whatever order they
  * come in. is_any: a ray that hits is retired. */
-static bool intersect_block(rsh_block* block, const rsh_corners* corners, uint triangle,
-                            bool is_any)
+static bool intersect_packet(ray_packet* packet, const triangle_corners* corners, uint triangle,
+                             bool is_any)
 {
     bool changed = false;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const rsh_sheared r = block->ray[v];
-        rsh_seen seen = see_triangle(r, block->axis, corners->at);
-        if (corners->scale != 1.0f) scale_across(&seen, (floatv)(corners->scale));
-        const rsh_hits hits = cut(r, seen);
+        const sheared_rays r = packet->ray[v];
+        ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, corners->at);
+        if (corners->scale != 1.0f) scale_across(&sheared, (floatv)(corners->scale));
+        const lane_hits hits = intersect_sheared(r, sheared);
         const intv is_better =
-            hits.is_hit & ((hits.t < r.tmax) | ((uintv)(triangle) < block->primitive[v]));
+            hits.is_hit & ((hits.t < r.tmax) | ((uintv)(triangle) < packet->primitive[v]));
         if (!any_lane(is_better)) continue;
         changed = true;
-        block->ray[v].tmax = select(r.tmax, is_any ? (floatv)(-1.0f) : hits.t, is_better);
-        block->u[v] = select(block->u[v], hits.u, is_better);
-        block->v[v] = select(block->v[v], hits.v, is_better);
-        block->primitive[v] =
-            select(block->primitive[v], (uintv)(triangle), as_uintv(is_better));
+        packet->ray[v].tmax = select(r.tmax, is_any ? (floatv)(-1.0f) : hits.t, is_better);
+        packet->u[v] = select(packet->u[v], hits.u, is_better);
+        packet->v[v] = select(packet->v[v], hits.v, is_better);
+        packet->primitive[v] =
+            select(packet->primitive[v], (uintv)(triangle), as_uintv(is_better));
     }
     return changed;
 }
 
 /* Hits of a block whose rays nothing came near; block is its state otherwise. */
-static void store_misses(rsh_tile tile, uint b, __global const rsh_ray* rays,
+static void store_misses(ray_tile tile, uint b, __global const rsh_ray* rays,
                          __global rsh_hit* hits)
 {
     const float none = as_float(RSH_NO_HIT);
@@ -212,8 +213,8 @@ static float16 interleave(float8 a, float8 b)
 }
 
 /* t u v primitive of sixteen rays, ray by ray; four of them lie in a row. */
-static void store_whole_block(float16 t, float16 u, float16 v, float16 primitive, rsh_tile tile,
-                              uint b, __global rsh_hit* hits)
+static void store_whole_packet(float16 t, float16 u, float16 v, float16 primitive,
+                               ray_tile tile, uint b, __global rsh_hit* hits)
 {
     const float16 tv[2] = {interleave(t.lo, v.lo), interleave(t.hi, v.hi)};
     const float16 up[2] = {interleave(u.lo, primitive.lo), interleave(u.hi, primitive.hi)};
@@ -225,38 +226,40 @@ static void store_whole_block(float16 t, float16 u, float16 v, float16 primitive
 }
 #endif
 
-static void store_hits(const rsh_block* block, rsh_tile tile, uint b, __global rsh_hit* hits)
+static void store_packet_hits(const ray_packet* packet, ray_tile tile, uint b,
+                              __global rsh_hit* hits)
 {
 #if RSH_WIDTH == 16
     if (is_whole(tile, b)) {
-        const intv is_miss = as_intv(block->primitive[0]) == (intv)((int)RSH_NO_HIT);
-        store_whole_block(select(block->ray[0].tmax, block->given_tmax[0], is_miss),
-                          block->u[0], block->v[0], as_floatv(block->primitive[0]), tile, b,
-                          hits);
+        const intv is_miss = as_intv(packet->primitive[0]) == (intv)((int)RSH_NO_HIT);
+        store_whole_packet(select(packet->ray[0].tmax, packet->given_tmax[0], is_miss),
+                           packet->u[0], packet->v[0], as_floatv(packet->primitive[0]), tile, b,
+                           hits);
         return;
     }
 #endif
     float t[16];
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        const intv is_miss = as_intv(block->primitive[v]) == (intv)((int)RSH_NO_HIT);
-        store_lanes(select(block->ray[v].tmax, block->given_tmax[v], is_miss),
+        const intv is_miss = as_intv(packet->primitive[v]) == (intv)((int)RSH_NO_HIT);
+        store_lanes(select(packet->ray[v].tmax, packet->given_tmax[v], is_miss),
                     t + RSH_WIDTH * v);
     }
     for (uint k = 0; k < 16; ++k) {
         const uint i = ray_of(tile, b, k);
         if (i == RSH_NO_RAY) continue;
-        const uint primitive = ((const uint*)block->primitive)[k];
-        vstore4((float4)(t[k], lane_of(block->u, k), lane_of(block->v, k), as_float(primitive)),
-                0, (__global float*)(hits + i));
+        const uint primitive = ((const uint*)packet->primitive)[k];
+        vstore4(
+            (float4)(t[k], lane_of(packet->u, k), lane_of(packet->v, k), as_float(primitive)),
+            0, (__global float*)(hits + i));
     }
 }
 
-static void store_occlusion(const rsh_block* block, rsh_tile tile, uint b,
-                            __global uint* occlusion, uint bit)
+static void store_packet_occlusion(const ray_packet* packet, ray_tile tile, uint b,
+                                   __global uint* occlusion, uint bit)
 {
     uint hidden = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v)
-        hidden |= RSH_LANE_BITS(as_intv(block->primitive[v]) != (intv)((int)RSH_NO_HIT))
+        hidden |= RSH_LANE_BITS(as_intv(packet->primitive[v]) != (intv)((int)RSH_NO_HIT))
                   << (RSH_WIDTH * v);
     for (; hidden; hidden &= hidden - 1)
         occlusion[ray_of(tile, b, 31 - clz(hidden & -hidden))] |= bit;

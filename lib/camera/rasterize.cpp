@@ -9,11 +9,11 @@
 namespace rsh {
 namespace {
 
-constexpr cl_uint kMaxChunks = 64;       // 4 bytes per tile each: little beside rays and hits
-constexpr cl_uint kChunksPerUnit = 4;    // chunks are unequal work: several per compute unit
-constexpr cl_uint kMinChunkLength = 64;  // triangles
+constexpr cl_uint kMaxRanges = 64;       // 4 bytes per tile each: little beside rays and hits
+constexpr cl_uint kRangesPerUnit = 4;    // ranges are unequal work: several per compute unit
+constexpr cl_uint kMinRangeLength = 64;  // triangles
 
-// Room by default: small triangles touch 1 to 4 tiles, and a few in each chunk cover
+// Room by default: small triangles touch 1 to 4 tiles, and a few in each range cover
 // everything.
 constexpr cl_ulong kEntriesPerTriangle = 4;
 constexpr cl_ulong kEntriesPerTile = 4;
@@ -37,51 +37,51 @@ cl_uint ceil_divide(cl_uint a, cl_uint b) {
     return a / b + (a % b != 0);
 }
 
-void set_tiles(rsh_screen& screen, const Context& context, const rsh_rasterize_desc& desc) {
+void set_tiles(screen_setup& screen, const Context& context, const rsh_rasterize_desc& desc) {
     screen.width = desc.width;
     screen.height = desc.height;
     screen.tile_columns = ceil_divide(desc.width, tile_side(context));
     screen.tile_count = screen.tile_columns * ceil_divide(desc.height, tile_side(context));
 }
 
-void set_chunks(rsh_screen& screen, const Context& context, cl_uint triangle_count) {
+void set_ranges(screen_setup& screen, const Context& context, cl_uint triangle_count) {
     screen.triangle_count = triangle_count;
     if (triangle_count == 0) return;
-    const cl_uint units = std::min(kMaxChunks, context.caps.compute_units);
+    const cl_uint units = std::min(kMaxRanges, context.caps.compute_units);
     const cl_uint wanted =
-        is_simt(context) ? kMaxChunks : std::min(kMaxChunks, kChunksPerUnit * units);
-    const cl_uint most = std::min(wanted, ceil_divide(triangle_count, kMinChunkLength));
-    screen.chunk_length = ceil_divide(triangle_count, most);
-    screen.chunk_count = ceil_divide(triangle_count, screen.chunk_length);
+        is_simt(context) ? kMaxRanges : std::min(kMaxRanges, kRangesPerUnit * units);
+    const cl_uint most = std::min(wanted, ceil_divide(triangle_count, kMinRangeLength));
+    screen.range_length = ceil_divide(triangle_count, most);
+    screen.range_count = ceil_divide(triangle_count, screen.range_length);
 }
 
 // More than a list of everything for every tile is of no use.
-void set_capacity(rsh_screen& screen, const Context& context, size_t budget) {
-    if (screen.chunk_count == 0) return;
-    const cl_ulong length = screen.chunk_length, tiles = screen.tile_count;
+void set_capacity(screen_setup& screen, const Context& context, size_t budget) {
+    if (screen.range_count == 0) return;
+    const cl_ulong length = screen.range_length, tiles = screen.tile_count;
     const cl_ulong usual = kEntriesPerTriangle * length + kEntriesPerTile * tiles;
-    const cl_ulong wanted = budget ? budget / sizeof(cl_uint) / screen.chunk_count : usual;
+    const cl_ulong wanted = budget ? budget / sizeof(cl_uint) / screen.range_count : usual;
     const cl_ulong affordable =
-        context.caps.max_allocation / 2 / sizeof(cl_uint) / screen.chunk_count;
+        context.caps.max_allocation / 2 / sizeof(cl_uint) / screen.range_count;
     screen.capacity =
         static_cast<cl_uint>(std::min({wanted, length * tiles, affordable, kMaxCapacity}));
 }
 
-rsh_screen screen_of(const Context& context, const rsh_rasterize_desc& desc) {
-    rsh_screen screen = {};
+screen_setup screen_of(const Context& context, const rsh_rasterize_desc& desc) {
+    screen_setup screen = {};
     set_camera(screen, desc.camera);
     set_tiles(screen, context, desc);
-    set_chunks(screen, context, desc.geometry.triangle_count);
+    set_ranges(screen, context, desc.geometry.triangle_count);
     set_capacity(screen, context, desc.scratch_budget);
     return screen;
 }
 
-Layout layout_of(const Context& context, const rsh_screen& screen) {
-    const size_t chunks = screen.chunk_count;
+Layout layout_of(const Context& context, const screen_setup& screen) {
+    const size_t ranges = screen.range_count;
     Layout layout(context.caps.alignment);
     layout.add_array<cl_ushort4>("boxes", screen.triangle_count);
-    layout.add_array<cl_uint>("ends", chunks * screen.tile_count);
-    layout.add_array<cl_uint>("lists", chunks * screen.capacity);
+    layout.add_array<cl_uint>("ends", ranges * screen.tile_count);
+    layout.add_array<cl_uint>("lists", ranges * screen.capacity);
     return layout;
 }
 
@@ -93,10 +93,10 @@ Layout rasterize_scratch(const Context& context, const rsh_rasterize_desc& desc)
 
 void rasterize(Recorder& recorder, const rsh_rasterize_desc& desc) {
     const Context& context = recorder.context();
-    const rsh_screen screen = screen_of(context, desc);
+    const screen_setup screen = screen_of(context, desc);
     const Scratch scratch(recorder, layout_of(context, screen), desc.scratch);
     const rsh_geometry& geometry = desc.geometry;
-    const rsh_mesh mesh = mesh_of(geometry);
+    const mesh_view mesh = mesh_view_of(geometry);
     const cl_uint side = tile_side(context);
     const size_t items_per_tile = is_simt(context) ? size_t{side} * side : 1;
     const auto kernel = [side](const char* name) {
@@ -105,7 +105,7 @@ void rasterize(Recorder& recorder, const rsh_rasterize_desc& desc) {
     recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_project"),
                     recorder.range(geometry.triangle_count), screen, mesh, geometry.vertices,
                     geometry.indices, scratch["boxes"]);
-    recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_bin"), {screen.chunk_count, 1},
+    recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_bin"), {screen.range_count, 1},
                     screen, scratch["boxes"], scratch["ends"], scratch["lists"]);
     recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_tiles"),
                     {screen.tile_count * items_per_tile, items_per_tile}, screen, mesh,

@@ -83,7 +83,7 @@ bool is_invertible(const Rows& rows) {
 
 }  // namespace
 
-void set_camera(rsh_screen& screen, const rsh_camera& camera) {
+void set_camera(screen_setup& screen, const rsh_camera& camera) {
     const Axes axes = axes_of(camera);
     Rows rows = rows_of(axes);
     if (!is_invertible(rows)) {

@@ -9,6 +9,6 @@
 namespace rsh {
 
 // Sets the members of `screen` that depend on the camera alone.
-void set_camera(rsh_screen& screen, const rsh_camera& camera);
+void set_camera(screen_setup& screen, const rsh_camera& camera);
 
 }  // namespace rsh

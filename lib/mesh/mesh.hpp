@@ -7,10 +7,10 @@
 
 namespace rsh {
 
-inline rsh_mesh mesh_of(const rsh_geometry& geometry) {
+inline mesh_view mesh_view_of(const rsh_geometry& geometry) {
     const cl_ulong vertices_first = geometry.vertices_offset / 4;
     const cl_ulong indices_first = geometry.indices_offset / 4;
-    rsh_mesh mesh = {};
+    mesh_view mesh = {};
     mesh.vertices_first_low = static_cast<cl_uint>(vertices_first);
     mesh.vertices_first_high = static_cast<cl_uint>(vertices_first >> 32);
     mesh.indices_first_low = static_cast<cl_uint>(indices_first);

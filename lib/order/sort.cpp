@@ -17,8 +17,8 @@ Sort::Sort(cl_uint count, cl_uint bins, cl_uint compute_units)
       items_(std::min({compute_units * 2, std::max(4u, count / bins), 64u})) {}
 
 void Sort::reserve(Layout& layout) const {
-    layout.add_array<rsh_span>("spans", items_);
-    layout.add_array<rsh_sorting>("sorting", 1);
+    layout.add_array<sample_bounds>("samples", items_);
+    layout.add_array<sort_plan>("sorting", 1);
     layout.add_array<cl_uint>("keys", count_);
     layout.add_array<cl_uint>("bins", size_t{items_} * bins_);
     layout.add_array<cl_uint>("sorted", count_);

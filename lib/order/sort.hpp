@@ -14,11 +14,11 @@ class Sort {
 public:
     Sort(cl_uint count, cl_uint bins, cl_uint compute_units);
 
-    // Work-items of the kernels that measure and make keys, each with spans and bins of its
+    // Work-items of the kernels that measure and make keys, each with samples and bins of its
     // own.
     Range items() const { return {items_, 1}; }
 
-    // "spans" (rsh_span per work-item), "sorting" (rsh_sorting), "keys" and "bins".
+    // "samples" (sample_bounds per work-item), "sorting" (sort_plan), "keys" and "bins".
     void reserve(Layout& layout) const;
 
     // From this part on, what `reserve` adds is not read after `run`.

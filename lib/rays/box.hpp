@@ -1,5 +1,5 @@
 // box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile
-// (rays/build_boxes.cl); against boxes around clusters of up to 16 triangles, and around groups of
+// (rays/build_boxes.cl); against boxes around leaves of up to 16 triangles, and around nodes of
 // up to 16 of these, and so on (bvh/leaves.cl).
 #pragma once
 

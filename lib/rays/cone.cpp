@@ -8,19 +8,19 @@ namespace rsh {
 
 rsh_levels Cone::levels(cl_uint width, cl_uint height) const {
     rsh_levels levels = ray_level(width, height);
-    levels.fan = 2;
+    levels.branching = 2;
     cl_uint quads = 0;
     do {
         const cl_uint l = add_level(levels);
-        levels.first_quad[l] = quads;
+        levels.first_child_group[l] = quads;
         quads += levels.width[l + 1] * levels.height[l + 1];
     } while (levels.width[levels.count] > 1 || levels.height[levels.count] > 1);
-    levels.first_quad[levels.count] = quads;
+    levels.first_child_group[levels.count] = quads;
     return levels;
 }
 
 size_t Cone::node_bytes(const rsh_levels& levels) const {
-    return levels.first_quad[levels.count] * sizeof(rsh_node_quad);
+    return levels.first_child_group[levels.count] * sizeof(cone_node4);
 }
 
 size_t Cone::scene_bytes(const rsh_geometry& geometry) const {
@@ -37,8 +37,8 @@ Layout Cone::build_scratch(const Context& context, const rsh_levels&) const {
 
 void Cone::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_BOUND, {"programs/paper_faithful", "rsh_bound"},
-                    recorder.range(geometry.triangle_count), mesh_of(geometry),
+    recorder.launch(RSH_STAGE_BOUND, {"programs/paper_faithful", "rsh_spheres"},
+                    recorder.range(geometry.triangle_count), mesh_view_of(geometry),
                     geometry.vertices, geometry.indices, desc.bounds);
 }
 
@@ -47,10 +47,10 @@ void Cone::build(Recorder& recorder, const rsh_build_desc& desc) const {
     const auto parents = [&shape](cl_uint level) {
         return size_t{shape.width[level + 1]} * shape.height[level + 1];
     };
-    recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_leaves"},
+    recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_cones_rays"},
                     recorder.range(parents(0)), shape, desc.rays, desc.converging, desc.nodes);
     for (cl_uint level = 1; level < shape.count; ++level)
-        recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_level"},
+        recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_cones_level"},
                         recorder.range(parents(level)), shape, level, desc.nodes);
 }
 

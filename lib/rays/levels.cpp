@@ -12,21 +12,21 @@ rsh_levels ray_level(cl_uint width, cl_uint height) {
 }
 
 cl_uint add_level(rsh_levels& levels) {
-    const cl_uint l = levels.count++, fan = levels.fan;
-    const cl_uint in_row = levels.is_list ? fan * fan : fan;
+    const cl_uint l = levels.count++, branching = levels.branching;
+    const cl_uint in_row = levels.is_list ? branching * branching : branching;
     levels.width[l + 1] = (levels.width[l] + in_row - 1) / in_row;
-    levels.height[l + 1] = (levels.height[l] + fan - 1) / fan;
+    levels.height[l + 1] = (levels.height[l] + branching - 1) / branching;
     return l;
 }
 
 rsh_levels group_levels(cl_uint width, cl_uint height) {
     rsh_levels levels = ray_level(width, height);
-    levels.fan = 4;
+    levels.branching = 4;
     add_level(levels);
     do {
         const cl_uint l = add_level(levels);
-        levels.first_quad[l + 1] =
-            levels.first_quad[l] + static_cast<cl_uint>(node_count(levels, l + 1));
+        levels.first_child_group[l + 1] =
+            levels.first_child_group[l] + static_cast<cl_uint>(node_count(levels, l + 1));
     } while (node_count(levels, levels.count) > 1);
     return levels;
 }

@@ -9,7 +9,7 @@ namespace rsh {
 rsh_levels ray_level(cl_uint width, cl_uint height);
 // Adds the level above the topmost one, which is returned.
 cl_uint add_level(rsh_levels& levels);
-// 16 children per node, from blocks over tiles up to a root; first_quad numbers their groups.
+// 16 children per node, from blocks over tiles up to a root; first_child_group numbers their groups.
 rsh_levels group_levels(cl_uint width, cl_uint height);
 
 inline cl_ulong node_count(const rsh_levels& levels, cl_uint level) {

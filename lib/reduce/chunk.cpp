@@ -1,4 +1,4 @@
-// chunk.cpp - one run of elements per work-item (reduce/chunk.cl): count, then write; a short
+// chunk.cpp - one range of elements per work-item (reduce/chunk.cl): count, then write; a short
 // stream by one work-item at once. No barrier, no local memory: safe on any driver, and quick
 // where cores are few and caches large.
 #include "reduce/launch.hpp"
@@ -20,7 +20,8 @@ public:
     void reserve(Layout& scratch, const Context& context,
                  const ReduceShape& shape) const override {
         if (!is_short(context, shape.count))
-            scratch.add_array<cl_uint>("reduce counts", runs(context, shape.count).items);
+            scratch.add_array<cl_uint>("reduce counts",
+                                       item_ranges(context, shape.count).items);
     }
 
     void enqueue(Recorder& recorder, const ReduceStream& stream,
@@ -35,7 +36,7 @@ public:
                    stream.output, stream.output_count, stream.output_index);
             return;
         }
-        const Range range = runs(context, stream.count);
+        const Range range = item_ranges(context, stream.count);
         const cl_mem counts = scratch["reduce counts"];
         launch(recorder, stream, kernel("rsh_reduce_chunk_count"), range, counts);
         launch(recorder, stream, kernel("rsh_reduce_chunk_write"), range, counts, stream.output,

@@ -14,12 +14,12 @@ public:
     void reserve(Layout& scratch, const Context& context,
                  const ReduceShape& shape) const override {
         scratch.add("reduce bits", size_t{shape.count} / 8 + 1);
-        scratch.add_array<cl_uint>("reduce counts", runs(context, shape.count).items);
+        scratch.add_array<cl_uint>("reduce counts", item_ranges(context, shape.count).items);
     }
 
     void enqueue(Recorder& recorder, const ReduceStream& stream,
                  const Scratch& scratch) const override {
-        const Range range = runs(recorder.context(), stream.count);
+        const Range range = item_ranges(recorder.context(), stream.count);
         const cl_mem counts = scratch["reduce counts"];
         ReduceStream decided = stream;
         decided.keep = RSH_KEEP_BITS;

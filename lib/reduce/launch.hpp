@@ -22,9 +22,9 @@ inline Range single_items(size_t items) {
     return {items, 1};
 }
 
-// Runs of elements, one per work-item. Every item adds up the counts before its own, so their
-// number is bounded; a run shorter than 1024 is not worth a task.
-inline Range runs(const Context& context, cl_uint count) {
+// Ranges of elements, one per work-item. Every item adds up the counts before its own, so their
+// number is bounded; a range shorter than 1024 is not worth a task.
+inline Range item_ranges(const Context& context, cl_uint count) {
     const size_t group = has_single_items(context) ? 1 : context.caps.group_size;
     const size_t most = context.caps.compute_units * (group == 1 ? 16 : 4 * group);
     const size_t items = std::clamp<size_t>(count / 1024, 1, most);
@@ -46,7 +46,7 @@ inline cl_uint group_tile(const Context& context) {
 }
 
 // Elements that a single item counts and then packs out of the cache: 128 KB, but enough tiles
-// for all cores to end at about the same time. A multiple of RSH_RUN_STEP of reduce/run.h.
+// for all cores to end at about the same time. A multiple of RSH_RANGE_STEP of reduce/range.h.
 inline cl_uint item_tile(const Context& context, const ReduceShape& shape) {
     const cl_uint fair = shape.count / (8 * context.caps.compute_units);
     const cl_uint most = (128u << 10) / shape.element_bytes;
@@ -77,7 +77,7 @@ void launch(Recorder& recorder, const ReduceStream& stream, const KernelName& na
                     stream.input_count, has_input_count, stream.count, more...);
 }
 
-// Counts of blocks, in place, to where their runs begin; their sum is the stream's result.
+// Counts of blocks, in place, to where their ranges begin; their sum is the stream's result.
 inline void scan_counts(Recorder& recorder, const ReduceStream& stream, cl_mem counts,
                         cl_uint blocks) {
     const Context& context = recorder.context();

@@ -6,13 +6,14 @@
 namespace rsh {
 void shade(Recorder& recorder, const rsh_shade_desc& desc) {
     const rsh_scene& scene = *desc.scene;
-    recorder.launch(
-        RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"), recorder.range(desc.ray_count),
-        mesh_of(scene.geometry), scene.geometry.vertices, scene.geometry.indices, scene.normals,
-        scene.texcoords, scene.material_ids, scene.materials, scene.material_count,
-        scene.lights, scene.light_count, scene.textures, scene.texture_count, scene.texels,
-        scene.ambient, scene.environment, scene.environment_texture - 1u, desc.ray_count,
-        desc.rays, desc.hits, desc.weights, desc.occlusion, desc.colour);
+    recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
+                    recorder.range(desc.ray_count), mesh_view_of(scene.geometry),
+                    scene.geometry.vertices, scene.geometry.indices, scene.normals,
+                    scene.texcoords, scene.material_ids, scene.materials, scene.material_count,
+                    scene.lights, scene.light_count, scene.textures, scene.texture_count,
+                    scene.texels, scene.ambient, scene.environment,
+                    scene.environment_texture - 1u, desc.ray_count, desc.rays, desc.hits,
+                    desc.weights, desc.occlusion, desc.colour);
 }
 
 }  // namespace rsh

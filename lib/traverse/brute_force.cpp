@@ -7,7 +7,7 @@
 namespace rsh {
 namespace {
 
-constexpr cl_uint kVectorsPerItem = 4;  // RSH_BLOCKS of traverse/brute_force.cl
+constexpr cl_uint kVectorsPerItem = 4;  // RSH_VECTORS_PER_ITEM of traverse/brute_force.cl
 
 }  // namespace
 
@@ -22,8 +22,8 @@ void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) con
     const size_t rays_per_item = size_t{kVectorsPerItem} * recorder.context().vector_width;
     recorder.launch(RSH_STAGE_INTERSECT, {"traverse/brute_force", "rsh_brute_force"},
                     recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
-                    mesh_of(geometry), geometry.vertices, geometry.indices, desc.rays, rays,
-                    desc.hits, desc.occlusion, occlusion_mask(desc));
+                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                    rays, desc.hits, desc.occlusion, occlusion_mask(desc));
 }
 
 }  // namespace rsh

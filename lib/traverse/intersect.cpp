@@ -19,7 +19,7 @@ void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
                cl_mem pair_count) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/paper_faithful", "rsh_intersect"},
-                    recorder.stream_range(), mesh_of(geometry), geometry.vertices,
+                    recorder.stream_range(), mesh_view_of(geometry), geometry.vertices,
                     geometry.indices, desc.rays, pairs, pair_count, desc.hits, desc.occlusion,
                     occlusion_mask(desc));
 }
@@ -29,7 +29,7 @@ void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {
     const rsh_geometry& geometry = desc.geometry;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/paper_faithful", "rsh_resolve"},
-                    recorder.range(rays), mesh_of(geometry), geometry.vertices,
+                    recorder.range(rays), mesh_view_of(geometry), geometry.vertices,
                     geometry.indices, desc.rays, rays, desc.hits);
 }
 

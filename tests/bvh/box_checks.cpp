@@ -36,45 +36,43 @@ bool contains(const oracle::BoxNode& node, const rsh_ray& ray, bool converging) 
                                               Float3(-d.x, -d.y, -d.z));
 }
 
-bool is_empty(const rsh_box_group& group, uint32_t k) {
+bool is_empty(const bvh_node& node, uint32_t k) {
     for (int axis = 0; axis < 3; ++axis)
-        if (group.low[axis][k] != INFINITY || group.high[axis][k] != -INFINITY) return false;
+        if (node.low[axis][k] != INFINITY || node.high[axis][k] != -INFINITY) return false;
     return true;
 }
 
 // Corners of the triangle in place k; false if it is never hit.
-bool corners_of(const rsh_cluster& cluster, uint32_t k, test::Corners* corners) {
+bool corners_of(const bvh_leaf& leaf, uint32_t k, test::Corners* corners) {
     for (int i = 0; i < 3; ++i)
-        (*corners)[i] = {cluster.corner[i][0][k], cluster.corner[i][1][k],
-                         cluster.corner[i][2][k]};
+        (*corners)[i] = {leaf.corner[i][0][k], leaf.corner[i][1][k], leaf.corner[i][2][k]};
     return finite((*corners)[0]) && finite((*corners)[1]) && finite((*corners)[2]);
 }
 
 // Bit for bit, or at infinity where the triangle is never hit.
-::testing::AssertionResult is_triangle(const rsh_cluster& cluster, uint32_t k,
-                                       const test::Mesh& mesh, uint32_t t) {
+::testing::AssertionResult is_triangle(const bvh_leaf& leaf, uint32_t k, const test::Mesh& mesh,
+                                       uint32_t t) {
     test::Corners given, stored;
     const bool is_hit = t < mesh.triangle_count() && mesh.corners(t, &given) &&
                         finite(given[0]) && finite(given[1]) && finite(given[2]);
-    const bool is_finite = corners_of(cluster, k, &stored);
+    const bool is_finite = corners_of(leaf, k, &stored);
     for (int i = 0; i < 3; ++i)
         for (int axis = 0; axis < 3; ++axis) {
             const float expected = is_hit ? (&given[i].x)[axis] : INFINITY;
-            if (cluster.corner[i][axis][k] != expected)
+            if (leaf.corner[i][axis][k] != expected)
                 return ::testing::AssertionFailure()
                        << "triangle " << t << ", corner " << i << ", axis " << axis << ": "
-                       << cluster.corner[i][axis][k] << " instead of " << expected;
+                       << leaf.corner[i][axis][k] << " instead of " << expected;
         }
     return (is_finite == is_hit ? ::testing::AssertionSuccess()
                                 : ::testing::AssertionFailure());
 }
 
 // The triangles, padded.
-::testing::AssertionResult holds_cluster(const rsh_box_group& above, uint32_t k,
-                                         const rsh_cluster& cluster) {
+::testing::AssertionResult holds_leaf(const bvh_node& above, uint32_t k, const bvh_leaf& leaf) {
     for (uint32_t t = 0; t < 16; ++t) {
         test::Corners c;
-        if (!corners_of(cluster, t, &c)) continue;
+        if (!corners_of(leaf, t, &c)) continue;
         for (const Float3& p : c) {
             const long double pad = kPad * max_norm(p);
             const float at[3] = {p.x, p.y, p.z};
@@ -91,85 +89,85 @@ bool corners_of(const rsh_cluster& cluster, uint32_t k, test::Corners* corners) 
 }
 
 // Outside of the sizes that mesh/intersect.h takes as they are.
-bool is_scaled(const rsh_cluster& cluster) {
+bool is_scaled(const bvh_leaf& leaf) {
     for (uint32_t t = 0; t < 16; ++t) {
         test::Corners c;
-        if (!corners_of(cluster, t, &c)) continue;
+        if (!corners_of(leaf, t, &c)) continue;
         const float size = std::max(max_norm(c[1] - c[0]), max_norm(c[2] - c[0]));
         if (!(size >= 0x1p-20f && size <= 0x1p20f)) return true;
     }
     return false;
 }
 
-bool holds_group(const rsh_box_group& above, uint32_t k, const rsh_box_group& below) {
+bool holds_node(const bvh_node& above, uint32_t k, const bvh_node& child) {
     for (int axis = 0; axis < 3; ++axis)
         for (uint32_t b = 0; b < 16; ++b)
-            if (!(above.low[axis][k] <= below.low[axis][b] &&
-                  above.high[axis][k] >= below.high[axis][b]))
+            if (!(above.low[axis][k] <= child.low[axis][b] &&
+                  above.high[axis][k] >= child.high[axis][b]))
                 return false;
     return true;
 }
 
-// What is below each box of a group, and so on; marks groups and clusters.
+// What is below each box of a node, and so on; marks nodes and leaves.
 class Walk {
 public:
-    Walk(const test::Mesh& mesh, const test::SceneBoxes& boxes) : mesh_(mesh), boxes_(boxes) {}
+    Walk(const test::Mesh& mesh, const test::SceneBvh& bvh) : mesh_(mesh), bvh_(bvh) {}
 
-    void check_group(uint32_t number, uint32_t depth) {
-        ASSERT_LE(depth, uint32_t{RSH_MAX_BOX_DEPTH});
-        ASSERT_LT(number, boxes_.groups.size());
-        ASSERT_TRUE(groups_.insert(number).second) << "group " << number << " twice";
-        const rsh_box_group& group = boxes_.groups[number];
+    void check_node(uint32_t number, uint32_t depth) {
+        ASSERT_LE(depth, uint32_t{RSH_MAX_BVH_DEPTH});
+        ASSERT_LT(number, bvh_.nodes.size());
+        ASSERT_TRUE(nodes_.insert(number).second) << "node " << number << " twice";
+        const bvh_node& node = bvh_.nodes[number];
         for (uint32_t k = 0; k < 16; ++k) {
-            SCOPED_TRACE("group " + std::to_string(number) + ", box " + std::to_string(k));
-            if (group.below[k] == RSH_NO_BOX) {
-                ASSERT_TRUE(is_empty(group, k));
-            } else if (group.below[k] & RSH_IS_CLUSTER) {
-                check_cluster(group, k);
+            SCOPED_TRACE("node " + std::to_string(number) + ", box " + std::to_string(k));
+            if (node.child[k] == RSH_NO_CHILD) {
+                ASSERT_TRUE(is_empty(node, k));
+            } else if (node.child[k] & RSH_IS_LEAF) {
+                check_leaf(node, k);
             } else {
-                ASSERT_LT(group.below[k], boxes_.groups.size());
-                ASSERT_TRUE(holds_group(group, k, boxes_.groups[group.below[k]]));
-                check_group(group.below[k], depth + 1);
+                ASSERT_LT(node.child[k], bvh_.nodes.size());
+                ASSERT_TRUE(holds_node(node, k, bvh_.nodes[node.child[k]]));
+                check_node(node.child[k], depth + 1);
             }
             if (::testing::Test::HasFatalFailure()) return;
         }
     }
 
-    BoxCounts counts() const { return {clusters_.size(), groups_.size()}; }
+    BvhCounts counts() const { return {leaves_.size(), nodes_.size()}; }
 
-    // In the order of the clusters.
+    // In the order of the leaves.
     std::vector<uint32_t> order() const {
         std::vector<uint32_t> order;
-        for (const uint32_t number : clusters_)
-            for (const uint32_t t : boxes_.clusters[number].triangle)
+        for (const uint32_t number : leaves_)
+            for (const uint32_t t : bvh_.leaves[number].triangle)
                 if (t != RSH_NO_HIT) order.push_back(t);
         return order;
     }
 
-    // Those that no group names.
+    // Those that no node names.
     void expect_others_empty() const {
-        for (uint32_t c = 0; c < boxes_.clusters.size(); ++c) {
-            if (clusters_.count(c)) continue;
+        for (uint32_t c = 0; c < bvh_.leaves.size(); ++c) {
+            if (leaves_.count(c)) continue;
             for (uint32_t k = 0; k < 16; ++k)
-                ASSERT_TRUE(is_triangle(boxes_.clusters[c], k, mesh_, RSH_NO_HIT));
+                ASSERT_TRUE(is_triangle(bvh_.leaves[c], k, mesh_, RSH_NO_HIT));
         }
     }
 
 private:
-    void check_cluster(const rsh_box_group& group, uint32_t k) {
-        const uint32_t number = RSH_BELOW_NUMBER(group.below[k]);
-        ASSERT_LT(number, boxes_.clusters.size());
-        ASSERT_TRUE(clusters_.insert(number).second) << "cluster " << number << " twice";
-        const rsh_cluster& cluster = boxes_.clusters[number];
-        EXPECT_EQ((group.below[k] & RSH_SCALED) != 0, is_scaled(cluster));
-        ASSERT_TRUE(holds_cluster(group, k, cluster));
+    void check_leaf(const bvh_node& node, uint32_t k) {
+        const uint32_t number = RSH_CHILD_NUMBER(node.child[k]);
+        ASSERT_LT(number, bvh_.leaves.size());
+        ASSERT_TRUE(leaves_.insert(number).second) << "leaf " << number << " twice";
+        const bvh_leaf& leaf = bvh_.leaves[number];
+        EXPECT_EQ((node.child[k] & RSH_SCALED) != 0, is_scaled(leaf));
+        ASSERT_TRUE(holds_leaf(node, k, leaf));
         for (uint32_t i = 0; i < 16; ++i)
-            ASSERT_TRUE(is_triangle(cluster, i, mesh_, cluster.triangle[i])) << "place " << i;
+            ASSERT_TRUE(is_triangle(leaf, i, mesh_, leaf.triangle[i])) << "place " << i;
     }
 
     const test::Mesh& mesh_;
-    const test::SceneBoxes& boxes_;
-    std::set<uint32_t> groups_, clusters_;
+    const test::SceneBvh& bvh_;
+    std::set<uint32_t> nodes_, leaves_;
 };
 
 }  // namespace
@@ -181,15 +179,15 @@ void expect_permutation(std::vector<uint32_t> numbers) {
 
 void expect_contains_all(const Rays& rays, bool converging) {
     const auto built = test::build_nodes(rays, RSH_BOUND_BOX, converging);
-    const auto groups = test::nodes_of<rsh_node_group>(built);
+    const auto tiles = test::nodes_of<box_node16>(built);
     const rsh_levels& l = built.levels;
     ASSERT_EQ(l.count, 2u);
     const test::RayOrder order = test::ray_order(built);
     expect_permutation(order.rays);
     for (uint32_t tile = 0; tile < l.width[2] * l.height[2]; ++tile)
         for (uint32_t k = 0; k < 16; ++k) {
-            const oracle::BoxNode node = oracle::child_of(groups[tile], k);
-            EXPECT_EQ(groups[tile].is_converging[k], uint32_t(converging));
+            const oracle::BoxNode node = oracle::child_of(tiles[tile], k);
+            EXPECT_EQ(tiles[tile].is_converging[k], uint32_t(converging));
             uint32_t x, y;
             bool active = false;
             if (test::child_of(l, 1, tile, k, &x, &y) >= 0)
@@ -206,14 +204,13 @@ void expect_contains_all(const Rays& rays, bool converging) {
         }
 }
 
-void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes,
-                      BoxCounts* counts) {
-    expect_permutation(boxes.order);
+void expect_contained(const test::Mesh& mesh, const test::SceneBvh& bvh, BvhCounts* counts) {
+    expect_permutation(bvh.order);
     if (mesh.triangle_count() == 0) return;
-    Walk walk(mesh, boxes);
-    walk.check_group(boxes.head.groups.end - 1, 1);
+    Walk walk(mesh, bvh);
+    walk.check_node(bvh.head.nodes.end - 1, 1);
     if (::testing::Test::HasFatalFailure()) return;
-    EXPECT_EQ(walk.order(), boxes.order);
+    EXPECT_EQ(walk.order(), bvh.order);
     walk.expect_others_empty();
     if (counts) *counts = walk.counts();
 }

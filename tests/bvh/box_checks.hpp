@@ -9,11 +9,11 @@ void expect_permutation(std::vector<uint32_t> numbers);
 // Every block holds its active rays, with the room that rays/box_node.h asks for around their origins.
 void expect_contains_all(const test::Rays& rays, bool converging);
 
-struct BoxCounts {
-    size_t clusters = 0, groups = 0;
+struct BvhCounts {
+    size_t leaves = 0, nodes = 0;
 };
 
-// Each box holds the cluster or the group with its number, and each cluster its triangles. Leaves
+// Each box holds the leaf or the node with its number, and each leaf its triangles. Leaves
 // how many there are in `counts`, unless it is NULL.
-void expect_contained(const test::Mesh& mesh, const test::SceneBoxes& boxes,
-                      BoxCounts* counts = nullptr);
+void expect_contained(const test::Mesh& mesh, const test::SceneBvh& bvh,
+                      BvhCounts* counts = nullptr);

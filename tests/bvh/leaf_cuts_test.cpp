@@ -1,5 +1,5 @@
-// leaf_cuts_test.cpp - where the bound `box` cuts its order of triangles into clusters, and these into
-// groups: between what lies apart, and with the least surface that any cuts have.
+// leaf_cuts_test.cpp - where the bound `box` cuts its order of triangles into leaves, and these into
+// nodes: between what lies apart, and with the least surface that any cuts have.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,9 +32,9 @@ std::vector<Float3> two_rows(uint32_t near, uint32_t far) {
     return points;
 }
 
-std::set<uint32_t> clumps_in(const rsh_cluster& cluster, uint32_t count) {
+std::set<uint32_t> clumps_in(const bvh_leaf& leaf, uint32_t count) {
     std::set<uint32_t> clumps;
-    for (const uint32_t t : cluster.triangle)
+    for (const uint32_t t : leaf.triangle)
         if (t != RSH_NO_HIT) clumps.insert(t / count);
     return clumps;
 }
@@ -44,31 +44,31 @@ TEST(BoxCuts, SeparateClumps) {
     test::Random random(20);
     for (const uint32_t count : {14u, 15u}) {
         const test::Mesh mesh = clumps_at(random, two_rows(12, 0), count);
-        const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
-        expect_contained(mesh, boxes);
-        for (const rsh_cluster& cluster : boxes.clusters)
-            EXPECT_LE(clumps_in(cluster, count).size(), 1u) << "clumps of " << count;
+        const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(mesh));
+        expect_contained(mesh, bvh);
+        for (const bvh_leaf& leaf : bvh.leaves)
+            EXPECT_LE(clumps_in(leaf, count).size(), 1u) << "clumps of " << count;
     }
 }
 
-TEST(BoxCuts, SeparateGroups) {
+TEST(BoxCuts, SeparateNodes) {
     test::Random random(21);
     const uint32_t count = 15, near = 9;
     const test::Mesh mesh = clumps_at(random, two_rows(near, 8), count);
-    const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
-    uint32_t groups = 0;
-    for (const uint32_t group : boxes.groups[boxes.head.groups.end - 1].below) {
-        if (group & RSH_IS_CLUSTER) continue;
+    const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(mesh));
+    uint32_t nodes = 0;
+    for (const uint32_t node : bvh.nodes[bvh.head.nodes.end - 1].child) {
+        if (node & RSH_IS_LEAF) continue;
         std::set<bool> sides;
-        for (const uint32_t below : boxes.groups[group].below)
-            if (below != RSH_NO_BOX)
+        for (const uint32_t child : bvh.nodes[node].child)
+            if (child != RSH_NO_CHILD)
                 for (const uint32_t clump :
-                     clumps_in(boxes.clusters[RSH_BELOW_NUMBER(below)], count))
+                     clumps_in(bvh.leaves[RSH_CHILD_NUMBER(child)], count))
                     sides.insert(clump < near);
-        EXPECT_EQ(sides.size(), 1u) << "group " << group;
-        ++groups;
+        EXPECT_EQ(sides.size(), 1u) << "node " << node;
+        ++nodes;
     }
-    EXPECT_GT(groups, 0u);
+    EXPECT_GT(nodes, 0u);
 }
 
 struct Sides {
@@ -94,42 +94,43 @@ Sides sides_of(const test::Mesh& mesh, const uint32_t* triangles, size_t count) 
     return sides;
 }
 
-// The least sum over all cuts into runs of 8 to 16.
-double least_cost(const test::Mesh& mesh, const std::vector<uint32_t>& order, double price) {
+// The least sum over all cuts into ranges of 8 to 16.
+double least_cost(const test::Mesh& mesh, const std::vector<uint32_t>& order,
+                  double leaf_cost) {
     std::vector<double> least(order.size() + 1, INFINITY);
     least[0] = 0;
     for (size_t j = 8; j <= order.size(); ++j)
         for (size_t l = 8; l <= std::min<size_t>(16, j); ++l)
-            least[j] = std::min(
-                least[j], least[j - l] + price + sides_of(mesh, &order[j - l], l).surface());
+            least[j] = std::min(least[j], least[j - l] + leaf_cost +
+                                              sides_of(mesh, &order[j - l], l).surface());
     return least.back();
 }
 
-// As many as the kernel looks at at once. The price is that of bvh/leaves.cl.
+// As many as the kernel looks at at once. The cost is that of bvh/leaves.cl.
 TEST(BoxCuts, HaveTheLeastSurface) {
     for (const uint32_t seed : {22u, 23u, 24u, 25u}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         test::Random random(seed);
         const uint32_t count = 150 + random.below(40);
         const test::Mesh mesh = test::random_soup(random, count, 0.1f);
-        const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
-        const double scene = sides_of(mesh, boxes.order.data(), count).surface();
-        const double price = 1.5 * scene / (count / 14.0);
+        const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(mesh));
+        const double scene = sides_of(mesh, bvh.order.data(), count).surface();
+        const double leaf_cost = 1.5 * scene / (count / 14.0);
         double cost = 0;
-        uint32_t clusters = 0;
-        for (const rsh_cluster& cluster : boxes.clusters) {
-            if (cluster.triangle[0] == RSH_NO_HIT) continue;
-            const auto* end = std::find(cluster.triangle, cluster.triangle + 16, RSH_NO_HIT);
-            cost += price +
-                    sides_of(mesh, cluster.triangle, size_t(end - cluster.triangle)).surface();
-            ++clusters;
+        uint32_t leaves = 0;
+        for (const bvh_leaf& leaf : bvh.leaves) {
+            if (leaf.triangle[0] == RSH_NO_HIT) continue;
+            const auto* end = std::find(leaf.triangle, leaf.triangle + 16, RSH_NO_HIT);
+            cost += leaf_cost +
+                    sides_of(mesh, leaf.triangle, size_t(end - leaf.triangle)).surface();
+            ++leaves;
         }
-        ASSERT_LE(14 * clusters, count + 28) << "there was no room for the best cuts";
-        EXPECT_NEAR(cost, least_cost(mesh, boxes.order, price), 1e-4 * cost);
+        ASSERT_LE(14 * leaves, count + 28) << "there was no room for the best cuts";
+        EXPECT_NEAR(cost, least_cost(mesh, bvh.order, leaf_cost), 1e-4 * cost);
     }
 }
 
-// Clumps of 9 ask for more clusters than there is room for.
+// Clumps of 9 ask for more leaves than there is room for.
 TEST(BoxCuts, FindRoomAtAnySize) {
     test::Random random(26);
     for (const uint32_t size :
@@ -142,8 +143,8 @@ TEST(BoxCuts, FindRoomAtAnySize) {
         test::Mesh mesh = clumps_at(random, points, 9);
         mesh.vertices.resize(3 * size);
         const test::DeviceMesh scene(mesh);
-        expect_contained(mesh, test::bound_boxes(scene));
-        expect_contained(mesh, test::kept_boxes({&scene})[0]);
+        expect_contained(mesh, test::build_bvh(scene));
+        expect_contained(mesh, test::kept_bvhs({&scene})[0]);
     }
 }
 

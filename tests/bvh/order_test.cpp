@@ -42,9 +42,9 @@ std::vector<Float3> fill(const std::vector<Float3>& cells, uint32_t count) {
 
 // Cells that follow each other share a face; in a cell, triangles come as they came.
 void expect_no_jumps(const std::vector<Float3>& points, float side, uint32_t per_cell) {
-    const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(triangles_at(points)));
-    expect_permutation(boxes.order);
-    std::vector<uint32_t> order = boxes.order;
+    const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(triangles_at(points)));
+    expect_permutation(bvh.order);
+    std::vector<uint32_t> order = bvh.order;
     order.erase(std::remove_if(order.begin(), order.end(),
                                [&](uint32_t t) { return t < 2 * per_cell; }),
                 order.end());
@@ -68,7 +68,7 @@ TEST(BoxOrder, FollowsTheCurveWhereTrianglesAreDense) {
     expect_no_jumps(fill(shuffled_cells(random, 2), 1), 2, 1);
 }
 
-TEST(BoxOrder, LeavesCompactRunsTogether) {
+TEST(BoxOrder, LeavesCompactRangesTogether) {
     test::Random random(8);
     expect_no_jumps(fill(shuffled_cells(random, 16), 16), 16, 16);
 }
@@ -83,10 +83,10 @@ TEST(BoxOrder, PutsLargeTrianglesTogether) {
         const Float3 p(random.unit(), random.unit(), random.unit());
         mesh.add(p, p + Float3(size, 0, 0), p + Float3(0, size, 0));
     }
-    const test::SceneBoxes boxes = test::bound_boxes(test::DeviceMesh(mesh));
-    expect_contained(mesh, boxes);
+    const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(mesh));
+    expect_contained(mesh, bvh);
     for (uint32_t i = 0; i < triangles; ++i)
-        EXPECT_EQ(boxes.order[i] % 40 == 39, i < large) << "place " << i;
+        EXPECT_EQ(bvh.order[i] % 40 == 39, i < large) << "place " << i;
 }
 
 // The way of a walker who turns at random.
@@ -105,9 +105,9 @@ std::vector<Float3> shuffled(std::vector<Float3> points, test::Random& random) {
 void expect_new_order(const std::vector<Float3>& points, const std::vector<Float3>& earlier) {
     const test::Mesh mesh = triangles_at(points);
     const test::DeviceMesh now(mesh), then(triangles_at(earlier));
-    const test::SceneBoxes boxes = test::updated_boxes({&then, &now})[1];
-    EXPECT_EQ(boxes.order, test::bound_boxes(now).order);
-    expect_contained(mesh, boxes);
+    const test::SceneBvh bvh = test::refitted_bvhs({&then, &now})[1];
+    EXPECT_EQ(bvh.order, test::build_bvh(now).order);
+    expect_contained(mesh, bvh);
 }
 
 TEST(BoxOrder, IsKeptWhereTrianglesMoveTogether) {
@@ -118,9 +118,9 @@ TEST(BoxOrder, IsKeptWhereTrianglesMoveTogether) {
         p = Float3(0.9f * p.y, 0.9f * p.x, p.z + 5 + 0.001f * random.unit());
     const test::Mesh moved = triangles_at(points);
     const test::DeviceMesh now(moved);
-    const std::vector<test::SceneBoxes> frames = test::updated_boxes({&then, &now});
+    const std::vector<test::SceneBvh> frames = test::refitted_bvhs({&then, &now});
     EXPECT_EQ(frames[1].order, frames[0].order);
-    EXPECT_NE(frames[1].order, test::bound_boxes(now).order);
+    EXPECT_NE(frames[1].order, test::build_bvh(now).order);
     expect_contained(moved, frames[1]);
 }
 
@@ -130,7 +130,7 @@ TEST(BoxOrder, IsMadeAnewWhereTrianglesPart) {
     expect_new_order(shuffled(points, random), points);
 }
 
-// Clusters stay as they are, but those that follow each other move apart.
+// Leaves stay as they are, but those that follow each other move apart.
 TEST(BoxOrder, IsMadeAnewWhereClustersPart) {
     test::Random random(14);
     const std::vector<Float3> cells = shuffled_cells(random, 16);
@@ -143,7 +143,7 @@ TEST(BoxOrder, IsMadeWhereBoundsHoldNothing) {
     const test::DeviceMesh mesh(triangles_at(random_walk(random, 700)));
     for (const uint8_t byte : {0x00, 0xcd, 0xff}) {
         SCOPED_TRACE("bytes " + std::to_string(byte));
-        EXPECT_EQ(test::boxes_updated_from(mesh, byte).order, test::bound_boxes(mesh).order);
+        EXPECT_EQ(test::bvh_refitted_from(mesh, byte).order, test::build_bvh(mesh).order);
     }
 }
 
@@ -164,9 +164,9 @@ TEST(BoxOrder, WearsByDegrees) {
     for (int frame = 0; frame < count; ++frame) meshes.push_back(at(frame));
     std::vector<const test::DeviceMesh*> frames;
     for (const test::DeviceMesh& mesh : meshes) frames.push_back(&mesh);
-    const std::vector<test::SceneBoxes> boxes = test::updated_boxes(frames);
+    const std::vector<test::SceneBvh> bvhs = test::refitted_bvhs(frames);
     int changes = 0;
-    for (size_t i = 1; i < boxes.size(); ++i) changes += boxes[i].order != boxes[i - 1].order;
+    for (size_t i = 1; i < bvhs.size(); ++i) changes += bvhs[i].order != bvhs[i - 1].order;
     EXPECT_GE(changes, 1);
     EXPECT_LE(changes, count / 2);
 }
@@ -186,9 +186,9 @@ Rays sheet_of_rays(uint32_t n) {
 float mean_side(const test::BuiltNodes& built) {
     float sum = 0;
     int count = 0;
-    for (const rsh_node_group& group : test::nodes_of<rsh_node_group>(built))
+    for (const box_node16& tile : test::nodes_of<box_node16>(built))
         for (uint32_t k = 0; k < 16; ++k) {
-            const oracle::BoxNode node = oracle::child_of(group, k);
+            const oracle::BoxNode node = oracle::child_of(tile, k);
             if (node.tmax < 0) continue;
             sum += max_norm(node.origin_high - node.origin_low);
             ++count;

@@ -178,13 +178,12 @@ TEST(Recount, OfNoiseStaysWithinItsBuffers) {
         SCOPED_TRACE(std::to_string(count) + " triangles");
         test::Random random(62);
         const DeviceMesh mesh(test::random_soup(random, count));
-        const rsh_scene_shape shape = rsh::scene_shape(count);
-        const size_t head = sizeof(rsh_bounds_head) / 4, order = RSH_ORDER_AT(shape);
+        const bvh_layout shape = rsh::bvh_layout_of(count);
+        const size_t head = sizeof(bvh_head) / 4, order = RSH_ORDER_AT(shape);
         expect_update_within_buffers(mesh, random, head - 9, order); /* the head's groups too */
-        expect_update_within_buffers(mesh, random, order, RSH_SURVEYS_AT(shape));
-        expect_update_within_buffers(mesh, random, RSH_COUNTS_AT(shape),
-                                     RSH_BOUND_WORDS(shape));
-        expect_update_within_buffers(mesh, random, 0, RSH_BOUND_WORDS(shape));
+        expect_update_within_buffers(mesh, random, order, RSH_QUALITY_AT(shape));
+        expect_update_within_buffers(mesh, random, RSH_PARTS_AT(shape), RSH_BVH_WORDS(shape));
+        expect_update_within_buffers(mesh, random, 0, RSH_BVH_WORDS(shape));
     }
 }
 

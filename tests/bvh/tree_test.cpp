@@ -1,6 +1,6 @@
-// tree_test.cpp - groups that the bound `box` makes to be kept (`update`), out of a binary tree:
+// tree_test.cpp - nodes that the bound `box` makes to be kept (`update`), out of a binary tree:
 // they hold what is below them, there is room for them and for what a ray leaves on its stack,
-// and their boxes are smaller than those of runs along the curve.
+// and their boxes are smaller than those of ranges along the curve.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,17 +17,17 @@ using test::Float3;
 class BoxTree : public ::testing::TestWithParam<test::NamedCase> {};
 
 // bvh/collapse16.h.
-size_t most_groups(size_t clusters) {
-    return std::max<size_t>(1, (clusters - 1) / 8);
+size_t most_nodes(size_t leaves) {
+    return std::max<size_t>(1, (leaves - 1) / 8);
 }
 
 void expect_kept(const test::Mesh& mesh) {
     const test::DeviceMesh scene(mesh);
-    for (const test::SceneBoxes& boxes : test::kept_boxes({&scene, &scene})) {
-        BoxCounts counts;
-        expect_contained(mesh, boxes, &counts);
-        if (counts.clusters) {
-            EXPECT_LE(counts.groups, most_groups(counts.clusters));
+    for (const test::SceneBvh& bvh : test::kept_bvhs({&scene, &scene})) {
+        BvhCounts counts;
+        expect_contained(mesh, bvh, &counts);
+        if (counts.leaves) {
+            EXPECT_LE(counts.nodes, most_nodes(counts.leaves));
         }
     }
 }
@@ -59,7 +59,7 @@ TEST(BoxTrees, OfGrowingDistancesAreNotDeep) {
     }
 }
 
-// By their surfaces alone, the two clusters at each place would make a group, more groups than
+// By their surfaces alone, the two leaves at each place would make a node, more nodes than
 // there is room for.
 TEST(BoxTrees, OfTwosThatStandApart) {
     test::Random random(35);
@@ -84,11 +84,11 @@ TEST(BoxTrees, FitTrianglesOfAnotherSize) {
     test::Mesh tiny = large;
     for (Float3& v : tiny.vertices) v = 0x1p-30f * v;
     const test::DeviceMesh first(large), second(tiny);
-    const std::vector<test::SceneBoxes> boxes = test::kept_boxes({&first, &second, &first});
-    expect_contained(large, boxes[0]);
-    expect_contained(tiny, boxes[1]);
-    expect_contained(large, boxes[2]);
-    EXPECT_EQ(boxes[0].order, boxes[1].order) << "it was not kept";
+    const std::vector<test::SceneBvh> bvhs = test::kept_bvhs({&first, &second, &first});
+    expect_contained(large, bvhs[0]);
+    expect_contained(tiny, bvhs[1]);
+    expect_contained(large, bvhs[2]);
+    EXPECT_EQ(bvhs[0].order, bvhs[1].order) << "it was not kept";
 }
 
 // All pairs alike; no surface at all; surfaces that overflow.
@@ -106,18 +106,18 @@ TEST(BoxTrees, OfBoxesAllAlike) {
     }
 }
 
-// Half surfaces of all groups' boxes below a group, and of its own.
-double surface_below(const test::SceneBoxes& boxes, uint32_t number) {
-    const rsh_box_group& group = boxes.groups[number];
+// Half surfaces of all nodes' boxes below a node, and of its own.
+double surface_below(const test::SceneBvh& bvh, uint32_t number) {
+    const bvh_node& node = bvh.nodes[number];
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     double sum = 0;
     for (int k = 0; k < 16; ++k) {
-        if (group.below[k] == RSH_NO_BOX) continue;
+        if (node.child[k] == RSH_NO_CHILD) continue;
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min<double>(low[axis], group.low[axis][k]);
-            high[axis] = std::max<double>(high[axis], group.high[axis][k]);
+            low[axis] = std::min<double>(low[axis], node.low[axis][k]);
+            high[axis] = std::max<double>(high[axis], node.high[axis][k]);
         }
-        if (!(group.below[k] & RSH_IS_CLUSTER)) sum += surface_below(boxes, group.below[k]);
+        if (!(node.child[k] & RSH_IS_LEAF)) sum += surface_below(bvh, node.child[k]);
     }
     const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
     return sum + x * y + y * z + z * x;
@@ -138,10 +138,10 @@ TEST(BoxTrees, HaveLessSurfaceThanRuns) {
             add_clump(mesh, random, at, 0.1f);
         }
         const test::DeviceMesh scene(mesh);
-        const test::SceneBoxes runs = test::bound_boxes(scene);
-        const test::SceneBoxes tree = test::kept_boxes({&scene})[0];
-        EXPECT_LT(surface_below(tree, tree.head.groups.end - 1),
-                  0.8 * surface_below(runs, runs.head.groups.end - 1));
+        const test::SceneBvh ranges = test::build_bvh(scene);
+        const test::SceneBvh tree = test::kept_bvhs({&scene})[0];
+        EXPECT_LT(surface_below(tree, tree.head.nodes.end - 1),
+                  0.8 * surface_below(ranges, ranges.head.nodes.end - 1));
     }
 }
 

@@ -17,7 +17,7 @@ bool within(Long3 centre, long double radius, Long3 point) {
 
 }  // namespace
 
-Node child_of(const rsh_node_quad& q, uint32_t k) {
+Node child_of(const cone_node4& q, uint32_t k) {
     return {{q.apex_x.s[k], q.apex_y.s[k], q.apex_z.s[k]},
             q.radius.s[k],
             {q.axis_x.s[k], q.axis_y.s[k], q.axis_z.s[k]},
@@ -38,7 +38,7 @@ bool points_inside(const Node& node, const rsh_ray& ray) {
            dot(across, across) <= sine * sine * dot(axis, axis) * dot(d, d);
 }
 
-BoxNode child_of(const rsh_node_group& g, uint32_t k) {
+BoxNode child_of(const box_node16& g, uint32_t k) {
     const auto corner = [k](const float rows[3][16]) {
         return test::Float3(rows[0][k], rows[1][k], rows[2][k]);
     };

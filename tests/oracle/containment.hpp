@@ -17,7 +17,7 @@ struct Node {
 };
 
 // Child `k` (0 .. 3) of a quad.
-Node child_of(const rsh_node_quad& quad, uint32_t k);
+Node child_of(const cone_node4& quad, uint32_t k);
 
 bool starts_inside(const Node& node, const rsh_ray& ray);
 bool points_inside(const Node& node, const rsh_ray& ray);
@@ -27,7 +27,7 @@ struct BoxNode {
     test::Float3 origin_low, origin_high, direction_low, direction_high;
     float tmax;
 };
-BoxNode child_of(const rsh_node_group& group, uint32_t k);
+BoxNode child_of(const box_node16& tile, uint32_t k);
 
 // With room around `start` of `margin` on every side.
 bool contains(const BoxNode& node, test::Long3 start, long double margin,

@@ -1,5 +1,5 @@
 // box_test.cpp - the bound `box`: every block contains its active rays, every box of the scene
-// its triangles or the boxes of its group.
+// its triangles or the boxes of its node.
 #include <gtest/gtest.h>
 
 #include "bvh/box_checks.hpp"
@@ -23,7 +23,7 @@ TEST_P(Box, ContainsEveryActiveRay) {
 TEST_P(Box, OfTheSceneContainsWhatIsBelowIt) {
     test::Random random(5);
     const test::Mesh mesh = GetParam().make(random).mesh;
-    expect_contained(mesh, test::bound_boxes(test::DeviceMesh(mesh)));
+    expect_contained(mesh, test::build_bvh(test::DeviceMesh(mesh)));
 }
 
 // The same triangles, so that their order serves.
@@ -31,7 +31,7 @@ TEST_P(Box, OfTheSceneContainsWhatIsBelowItAfterAnUpdate) {
     test::Random random(5);
     const test::Mesh mesh = GetParam().make(random).mesh;
     const test::DeviceMesh scene(mesh);
-    expect_contained(mesh, test::updated_boxes({&scene, &scene})[1]);
+    expect_contained(mesh, test::refitted_bvhs({&scene, &scene})[1]);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Box, ::testing::ValuesIn(test::all_cases()), test::case_name);

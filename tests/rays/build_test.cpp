@@ -37,12 +37,12 @@ using test::Rays;
 void expect_contains_all(const Rays& rays) {
     const Hierarchy h = test::build(rays);
     const rsh_levels& l = h.levels;
-    ASSERT_EQ(h.quads.size(), l.first_quad[l.count]);
+    ASSERT_EQ(h.quads.size(), l.first_child_group[l.count]);
     for (uint32_t level = 0; level < l.count; ++level)
         for (uint32_t parent = 0; parent < l.width[level + 1] * l.height[level + 1]; ++parent)
             for (uint32_t k = 0; k < 4; ++k) {
                 const oracle::Node node =
-                    oracle::child_of(h.quads[l.first_quad[level] + parent], k);
+                    oracle::child_of(h.quads[l.first_child_group[level] + parent], k);
                 uint32_t x, y;
                 std::vector<size_t> below;
                 if (test::child_of(l, level, parent, k, &x, &y) >= 0)
@@ -76,12 +76,12 @@ void expect_levels(uint32_t width, uint32_t height) {
         const uint32_t w = l.width[level], h = l.height[level];
         EXPECT_EQ(l.width[level + 1], is_list ? (w + 3) / 4 : (w + 1) / 2) << "level " << level;
         EXPECT_EQ(l.height[level + 1], is_list ? 1 : (h + 1) / 2) << "level " << level;
-        EXPECT_EQ(l.first_quad[level], quads) << "level " << level;
+        EXPECT_EQ(l.first_child_group[level], quads) << "level " << level;
         quads += l.width[level + 1] * l.height[level + 1];
     }
     EXPECT_EQ(l.width[l.count] * l.height[l.count], 1u) << "the root is one node";
-    EXPECT_EQ(l.first_quad[l.count], quads);
-    EXPECT_EQ(sizes.output_bytes, size_t(quads) * sizeof(rsh_node_quad));
+    EXPECT_EQ(l.first_child_group[l.count], quads);
+    EXPECT_EQ(sizes.output_bytes, size_t(quads) * sizeof(cone_node4));
 }
 
 class Build : public ::testing::TestWithParam<test::NamedCase> {};

@@ -1,4 +1,4 @@
-// levels.hpp - which rays a node holds, from the shape of a hierarchy of any fan.
+// levels.hpp - which rays a node holds, from the shape of a hierarchy of any branching.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace test {
 // Rays along one side of a node of `level`.
 inline uint64_t side_of(const rsh_levels& levels, uint32_t level) {
     uint64_t side = 1;
-    for (uint32_t l = 0; l < level; ++l) side *= levels.fan;
+    for (uint32_t l = 0; l < level; ++l) side *= levels.branching;
     return side;
 }
 
@@ -32,9 +32,10 @@ inline std::vector<size_t> rays_below(const rsh_levels& levels, uint32_t level, 
 // Index of child k of node `parent` of level + 1; -1: outside of the level.
 inline int64_t child_of(const rsh_levels& levels, uint32_t level, uint32_t parent, uint32_t k,
                         uint32_t* x, uint32_t* y) {
-    const uint32_t fan = levels.fan, above = levels.width[level + 1];
-    *x = levels.is_list ? fan * fan * parent + k : parent % above * fan + k % fan;
-    *y = levels.is_list ? 0 : parent / above * fan + k / fan;
+    const uint32_t branching = levels.branching, above = levels.width[level + 1];
+    *x = levels.is_list ? branching * branching * parent + k
+                        : parent % above * branching + k % branching;
+    *y = levels.is_list ? 0 : parent / above * branching + k / branching;
     if (*x >= levels.width[level] || *y >= levels.height[level]) return -1;
     return int64_t(*y) * levels.width[level] + *x;
 }

@@ -141,7 +141,7 @@ RayOrder ray_order(const BuiltNodes& built) {
     std::iota(order.rays.begin(), order.rays.end(), 0u);
     if (!l.is_list) return order;
     std::vector<uint32_t> behind(count + 1);
-    std::memcpy(behind.data(), built.bytes.data() + tiles * sizeof(rsh_node_group),
+    std::memcpy(behind.data(), built.bytes.data() + tiles * sizeof(box_node16),
                 behind.size() * sizeof behind[0]);
     order.is_sorted = behind[count] != 0;
     behind.pop_back();
@@ -151,7 +151,7 @@ RayOrder ray_order(const BuiltNodes& built) {
 
 Hierarchy build(const Rays& rays) {
     const BuiltNodes made = build_nodes(rays, RSH_BOUND_CONE, false);
-    return {made.levels, nodes_of<rsh_node_quad>(made)};
+    return {made.levels, nodes_of<cone_node4>(made)};
 }
 
 namespace {
@@ -186,9 +186,9 @@ private:
     std::unique_ptr<Buffer<T>> bounds_;
 };
 
-SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
-    const rsh_scene_shape shape = rsh::scene_shape(triangles);
-    SceneBoxes made;
+SceneBvh scene_bvh(const std::vector<uint32_t>& words, uint32_t triangles) {
+    const bvh_layout layout = rsh::bvh_layout_of(triangles);
+    SceneBvh made;
     const uint32_t* at = words.data();
     const auto take = [&at](auto& items, size_t count) {
         items.resize(count);
@@ -197,19 +197,19 @@ SceneBoxes scene_boxes(const std::vector<uint32_t>& words, uint32_t triangles) {
     };
     std::memcpy(&made.head, at, sizeof made.head);
     at += sizeof made.head / sizeof *at;
-    take(made.clusters, RSH_CLUSTERS(shape));
-    take(made.groups, RSH_GROUPS(shape));
+    take(made.leaves, RSH_LEAVES(layout));
+    take(made.nodes, RSH_NODES(layout));
     take(made.order, triangles);
     return made;
 }
 
-std::vector<SceneBoxes> boxes_of(const std::vector<const DeviceMesh*>& frames, cl_uint first) {
+std::vector<SceneBvh> bvhs_of(const std::vector<const DeviceMesh*>& frames, cl_uint first) {
     BoundFrames<uint32_t> bounds(*frames[0], RSH_BOUND_BOX);
-    std::vector<SceneBoxes> made;
+    std::vector<SceneBvh> made;
     for (const DeviceMesh* mesh : frames)
         made.push_back(
-            scene_boxes(bounds.bound(*mesh, made.empty() ? first : cl_uint{RSH_UPDATE_NEXT}),
-                        mesh->geometry().triangle_count));
+            scene_bvh(bounds.bound(*mesh, made.empty() ? first : cl_uint{RSH_UPDATE_NEXT}),
+                      mesh->geometry().triangle_count));
     return made;
 }
 
@@ -219,22 +219,22 @@ std::vector<cl_float4> bound(const DeviceMesh& mesh) {
     return BoundFrames<cl_float4>(mesh, RSH_BOUND_CONE).bound(mesh, RSH_UPDATE_NONE);
 }
 
-SceneBoxes bound_boxes(const DeviceMesh& mesh) {
-    return updated_boxes({&mesh})[0];
+SceneBvh build_bvh(const DeviceMesh& mesh) {
+    return refitted_bvhs({&mesh})[0];
 }
 
-std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames) {
-    return boxes_of(frames, RSH_UPDATE_NONE);
+std::vector<SceneBvh> refitted_bvhs(const std::vector<const DeviceMesh*>& frames) {
+    return bvhs_of(frames, RSH_UPDATE_NONE);
 }
 
-std::vector<SceneBoxes> kept_boxes(const std::vector<const DeviceMesh*>& frames) {
-    return boxes_of(frames, RSH_UPDATE_FIRST);
+std::vector<SceneBvh> kept_bvhs(const std::vector<const DeviceMesh*>& frames) {
+    return bvhs_of(frames, RSH_UPDATE_FIRST);
 }
 
-SceneBoxes boxes_updated_from(const DeviceMesh& mesh, uint8_t byte) {
+SceneBvh bvh_refitted_from(const DeviceMesh& mesh, uint8_t byte) {
     BoundFrames<uint32_t> bounds(mesh, RSH_BOUND_BOX);
     bounds.fill(0x01010101u * byte);
-    return scene_boxes(bounds.bound(mesh, RSH_UPDATE_NEXT), mesh.geometry().triangle_count);
+    return scene_bvh(bounds.bound(mesh, RSH_UPDATE_NEXT), mesh.geometry().triangle_count);
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

@@ -29,7 +29,7 @@ private:
 
 struct Hierarchy {
     rsh_levels levels;
-    std::vector<rsh_node_quad> quads;
+    std::vector<cone_node4> quads;
 };
 
 // rsh_build of cones over the rays, read back.
@@ -58,20 +58,20 @@ RayOrder ray_order(const BuiltNodes& built);
 
 // Spheres of the bound `cone`.
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
-// What rsh_bound makes for the bound `box`, see kernels/scene_boxes.h.
-struct SceneBoxes {
-    std::vector<rsh_cluster> clusters;
-    std::vector<rsh_box_group> groups;
+// What rsh_bound makes for the bound `box`, see bvh/layout.h.
+struct SceneBvh {
+    std::vector<bvh_leaf> leaves;
+    std::vector<bvh_node> nodes;
     std::vector<uint32_t> order;  // triangle numbers
-    rsh_bounds_head head;
+    bvh_head head;
 };
-SceneBoxes bound_boxes(const DeviceMesh& mesh);
+SceneBvh build_bvh(const DeviceMesh& mesh);
 // The same after each frame: as many triangles in each; all but the first are updates.
-std::vector<SceneBoxes> updated_boxes(const std::vector<const DeviceMesh*>& frames);
+std::vector<SceneBvh> refitted_bvhs(const std::vector<const DeviceMesh*>& frames);
 // The first is made to be kept.
-std::vector<SceneBoxes> kept_boxes(const std::vector<const DeviceMesh*>& frames);
+std::vector<SceneBvh> kept_bvhs(const std::vector<const DeviceMesh*>& frames);
 // Of an update of bounds that hold nothing but this byte.
-SceneBoxes boxes_updated_from(const DeviceMesh& mesh, uint8_t byte);
+SceneBvh bvh_refitted_from(const DeviceMesh& mesh, uint8_t byte);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;

@@ -145,7 +145,7 @@ void expect_no_pair_lost(TraceOptions options, size_t pair_bytes) {
 class Overflow : public ::testing::TestWithParam<cl_uint> {};
 
 TEST_P(Overflow, LosesNoPairWhenStreamsAreFull) {
-    expect_no_pair_lost(paper(GetParam()), sizeof(rsh_pair));
+    expect_no_pair_lost(paper(GetParam()), sizeof(stream_pair));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Overflow, ::testing::ValuesIn(test::all_strategies()),

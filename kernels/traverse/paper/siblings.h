@@ -5,20 +5,20 @@
 #include "bvh/layout.h"
 #include "rays/box_node.h"
 
-#define RSH_GROUP_FLOATS 224 /* of rsh_node_group */
-typedef struct rsh_siblings {
-    rsh_bundles bundles;
-    rsh_bundle common; /* its signs: those of all directions per axis, or 0 */
-} rsh_siblings;
+#define RSH_GROUP_FLOATS 224 /* of box_node16 */
+typedef struct sibling_nodes {
+    interval_packet16 packets;
+    interval_packet common; /* its signs: those of all directions per axis, or 0 */
+} sibling_nodes;
 
-static void load_siblings(rsh_siblings* nodes, __global const float* group)
+static void load_siblings(sibling_nodes* nodes, __global const float* group)
 {
     for (uint v = 0; v < RSH_VECTORS; ++v)
-        nodes->bundles.limit[v] = load_lanes(group + 192 + RSH_WIDTH * v) * RSH_RAISED;
+        nodes->packets.limit[v] = load_lanes(group + 192 + RSH_WIDTH * v) * RSH_RAISED;
     for (uint axis = 0; axis < 3; ++axis) {
         __global const float* row = group + 16 * axis;
         for (uint v = 0; v < RSH_VECTORS; ++v)
-            set_bundles_axis(&nodes->bundles, axis, v, load_lanes(row + RSH_WIDTH * v),
+            set_packets_axis(&nodes->packets, axis, v, load_lanes(row + RSH_WIDTH * v),
                              load_lanes(row + 48 + RSH_WIDTH * v),
                              load_lanes(row + 96 + RSH_WIDTH * v),
                              load_lanes(row + 144 + RSH_WIDTH * v));
@@ -31,11 +31,11 @@ static void load_siblings(rsh_siblings* nodes, __global const float* group)
     }
 }
 
-/* bounds: clusters, see bvh/layout.h. */
-static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bounds,
+/* bounds: leaves, see bvh/layout.h. */
+static uint siblings_meeting(const sibling_nodes* nodes, __global const float* bounds,
                              uint place)
 {
-    __global const float* corner = bounds + cluster_at(place / 16) + place % 16;
+    __global const float* corner = bounds + leaf_at(place / 16) + place % 16;
     float low[3], high[3], reach = 0.0f;
     for (uint axis = 0; axis < 3; ++axis) {
         const float a = corner[16 * axis], b = corner[48 + 16 * axis],
@@ -49,7 +49,7 @@ static uint siblings_meeting(const rsh_siblings* nodes, __global const float* bo
         low[axis] -= pad;
         high[axis] += pad;
     }
-    return bundles_meeting(&nodes->bundles, &nodes->common, low, high);
+    return packets_meeting(&nodes->packets, &nodes->common, low, high);
 }
 
 #endif

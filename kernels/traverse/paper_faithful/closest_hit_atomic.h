@@ -13,26 +13,26 @@
 #include "mesh/intersect.h"
 #include "traverse/paper_faithful/types.h"
 
-typedef struct rsh_target {
-    rsh_mesh mesh;
+typedef struct hit_target {
+    mesh_view mesh;
     __global const float* vertices;
     __global const uint* indices;
     __global const rsh_ray* rays;
     volatile __global rsh_hit* hits;
     volatile __global uint* occlusion;
     uint occlusion_bit; /* as a mask; 0: closest hits are wanted */
-} rsh_target;
+} hit_target;
 
-static bool is_closer(const rsh_target* target, uint ray, float t, uint triangle, uint best)
+static bool is_closer(const hit_target* target, uint ray, float t, uint triangle, uint best)
 {
-    rsh_triangle corners;
+    triangle_points corners;
     rsh_hit hit;
     load_triangle(target->mesh, target->vertices, target->indices, best, &corners);
     intersect_one(target->rays[ray], corners, &hit);
     return t < hit.t || (t == hit.t && triangle < best);
 }
 
-static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle)
+static void offer_hit(const hit_target* target, uint ray, float t, uint triangle)
 {
     if (target->occlusion_bit) {
         atomic_or(target->occlusion + ray, target->occlusion_bit);
@@ -48,14 +48,14 @@ static void offer_hit(const rsh_target* target, uint ray, float t, uint triangle
 }
 
 /* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. */
-static void gather(const rsh_target* target, const rsh_pair* pairs, uint count,
-                   rsh_sheared* sheared, floatv* corner)
+static void gather_pairs(const hit_target* target, const stream_pair* pairs, uint count,
+                         sheared_rays* sheared, floatv* corner)
 {
     float lanes[17][RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {
-        const rsh_pair pair = pairs[i < count ? i : 0];
+        const stream_pair pair = pairs[i < count ? i : 0];
         const rsh_ray ray = target->rays[pair.node];
-        rsh_triangle p;
+        triangle_points p;
         load_triangle(target->mesh, target->vertices, target->indices, pair.triangle, &p);
         const float16 values =
             (float16)(ray.origin_tmin, ray.direction_tmax, p.v0, p.v1, p.v2.x, p.v2.y);
@@ -71,12 +71,12 @@ static void gather(const rsh_target* target, const rsh_pair* pairs, uint count,
 }
 
 /* Intersects up to RSH_WIDTH pairs. */
-static void intersect_pairs(const rsh_target* target, const rsh_pair* pairs, uint count)
+static void intersect_pairs(const hit_target* target, const stream_pair* pairs, uint count)
 {
-    rsh_sheared sheared;
+    sheared_rays sheared;
     floatv corner[9];
-    gather(target, pairs, count, &sheared, corner);
-    const rsh_hits hits = intersect(sheared, corner);
+    gather_pairs(target, pairs, count, &sheared, corner);
+    const lane_hits hits = intersect(sheared, corner);
     if (!any_lane(hits.is_hit)) return;
     int is_hit[RSH_WIDTH];
     float t[RSH_WIDTH];

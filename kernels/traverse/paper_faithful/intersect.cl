@@ -7,19 +7,19 @@
 #include "lanes/stride.h"
 #include "traverse/paper_faithful/closest_hit_atomic.h"
 
-__kernel void rsh_intersect(rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_intersect(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, __global const rsh_ray* rays,
-                            __global const rsh_pair* pairs, __global const uint* pair_count,
+                            __global const stream_pair* pairs, __global const uint* pair_count,
                             __global rsh_hit* hits, __global uint* occlusion,
                             uint occlusion_bit)
 {
-    const rsh_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const hit_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
     const uint count = *pair_count;
-    const rsh_stride mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
+    const strided_range mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
         const uint first = i * RSH_WIDTH;
         const uint filled = min((uint)RSH_WIDTH, count - first);
-        rsh_pair group[RSH_WIDTH];
+        stream_pair group[RSH_WIDTH];
         for (uint k = 0; k < filled; ++k) group[k] = pairs[first + k];
         intersect_pairs(&target, group, filled);
     }

@@ -3,7 +3,7 @@
  */
 #include "mesh/intersect.h"
 
-__kernel void rsh_resolve(rsh_mesh mesh, __global const float* vertices,
+__kernel void rsh_resolve(mesh_view mesh, __global const float* vertices,
                           __global const uint* indices, __global const rsh_ray* rays,
                           uint ray_count, __global rsh_hit* hits)
 {
@@ -12,7 +12,7 @@ __kernel void rsh_resolve(rsh_mesh mesh, __global const float* vertices,
     const rsh_ray ray = rays[i];
     rsh_hit hit = {ray.direction_tmax.w, 0.0f, 0.0f, hits[i].primitive};
     if (hit.primitive != RSH_NO_HIT) {
-        rsh_triangle corners;
+        triangle_points corners;
         load_triangle(mesh, vertices, indices, hit.primitive, &corners);
         intersect_one(ray, corners, &hit);
     }

@@ -2,73 +2,74 @@
  * children.
  *   pairs, pair_count     in   survivors of the level above; at the root none are stored, there
  *                              every triangle of the batch is one
- *   candidates            out  4 per pair: (triangle, child) or NULL
- *   candidate_count       out  how many, NULLs included
+ *   tested_pairs            out  4 per pair: (triangle, child) or NULL
+ *   tested_count       out  how many, NULLs included
  * At most `limit` pairs are tested: traverse/paper_faithful/traverse_walk.cl finishes the others. Packing the survivors
  * is the reduction's job. A work-item tests RSH_PAIRS pairs at once: their quads fill a vector.
  */
 #include "lanes/stride.h"
 #include "traverse/paper_faithful/test_pairs.h"
 
-static void write_children(const rsh_levels* levels, uint level, rsh_pair pair,
-                           const int* survives, ulong at, __global uint* candidates)
+static void write_children(const rsh_levels* levels, uint level, stream_pair pair,
+                           const int* survives, ulong at, __global uint* tested_pairs)
 {
     const uint4 triangle =
         select((uint4)(RSH_NO_HIT), (uint4)(pair.triangle), as_uint4(vload4(0, survives)));
     const uint4 node = child_names(levels, level, pair.node);
     vstore8(
         (uint8)(triangle.x, node.x, triangle.y, node.y, triangle.z, node.z, triangle.w, node.w),
-        at, candidates);
+        at, tested_pairs);
 }
 
 /* Pairs first .. first + count - 1, at most RSH_PAIRS of them; the last one fills up the
  * vector. */
-static void test_group(const rsh_levels* levels, uint level, const rsh_pair* pairs, uint first,
-                       uint count, __global const float4* spheres,
-                       __global const rsh_node_quad* quads, __global uint* candidates)
+static void test_group(const rsh_levels* levels, uint level, const stream_pair* pairs,
+                       uint first, uint count, __global const float4* spheres,
+                       __global const cone_node4* quads, __global uint* tested_pairs)
 {
     int survives[4 * RSH_PAIRS];
     test_pairs(levels, level, pairs, spheres, quads, survives);
     for (uint i = 0; i < count; ++i)
-        write_children(levels, level, pairs[i], survives + 4 * i, first + i, candidates);
+        write_children(levels, level, pairs[i], survives + 4 * i, first + i, tested_pairs);
 }
 
 static uint group_count(uint count) { return count / RSH_PAIRS + (count % RSH_PAIRS != 0); }
 
-__kernel void rsh_traverse_test(rsh_levels shape, uint level, uint limit,
-                                __global const float4* spheres,
-                                __global const rsh_node_quad* quads,
-                                __global const rsh_pair* pairs, __global const uint* pair_count,
-                                __global uint* candidates, __global uint* candidate_count)
+__kernel void rsh_traverse_level(rsh_levels shape, uint level, uint limit,
+                                 __global const float4* spheres,
+                                 __global const cone_node4* quads,
+                                 __global const stream_pair* pairs,
+                                 __global const uint* pair_count, __global uint* tested_pairs,
+                                 __global uint* tested_count)
 {
     const rsh_levels levels = shape;
     const uint count = min(pair_count[level + 1], limit);
-    if (get_global_id(0) == 0) *candidate_count = 4 * count;
-    const rsh_stride mine = my_elements(group_count(count));
+    if (get_global_id(0) == 0) *tested_count = 4 * count;
+    const strided_range mine = my_elements(group_count(count));
     for (uint g = mine.begin; g < mine.end; g += mine.step) {
         const uint first = g * RSH_PAIRS;
-        rsh_pair group[RSH_PAIRS];
+        stream_pair group[RSH_PAIRS];
         for (uint i = 0; i < RSH_PAIRS; ++i) group[i] = pairs[min(first + i, count - 1)];
         test_group(&levels, level, group, first, min((uint)RSH_PAIRS, count - first), spheres,
-                   quads, candidates);
+                   quads, tested_pairs);
     }
 }
 
 /* The same at the root: pair i is (first + i, root). */
-__kernel void rsh_traverse_test_root(rsh_levels shape, uint level, uint first_triangle,
-                                     uint count, __global const float4* spheres,
-                                     __global const rsh_node_quad* quads,
-                                     __global uint* candidates, __global uint* candidate_count)
+__kernel void rsh_traverse_level_root(rsh_levels shape, uint level, uint first_triangle,
+                                      uint count, __global const float4* spheres,
+                                      __global const cone_node4* quads,
+                                      __global uint* tested_pairs, __global uint* tested_count)
 {
     const rsh_levels levels = shape;
-    if (get_global_id(0) == 0) *candidate_count = 4 * count;
-    const rsh_stride mine = my_elements(group_count(count));
+    if (get_global_id(0) == 0) *tested_count = 4 * count;
+    const strided_range mine = my_elements(group_count(count));
     for (uint g = mine.begin; g < mine.end; g += mine.step) {
         const uint first = g * RSH_PAIRS;
-        rsh_pair group[RSH_PAIRS];
+        stream_pair group[RSH_PAIRS];
         for (uint i = 0; i < RSH_PAIRS; ++i)
-            group[i] = (rsh_pair){first_triangle + min(first + i, count - 1), 0};
+            group[i] = (stream_pair){first_triangle + min(first + i, count - 1), 0};
         test_group(&levels, level, group, first, min((uint)RSH_PAIRS, count - first), spheres,
-                   quads, candidates);
+                   quads, tested_pairs);
     }
 }

@@ -12,14 +12,14 @@
 /* Pairs taken off a list at a time; they leave at most four times as many on the next. */
 #define RSH_TAKEN (4 * RSH_PAIRS)
 
-typedef struct rsh_walk {
-    rsh_pair pairs[RSH_MAX_LEVELS + 1][4 * RSH_TAKEN]; /* by level of their nodes */
+typedef struct walk_lists {
+    stream_pair pairs[RSH_MAX_LEVELS + 1][4 * RSH_TAKEN]; /* by level of their nodes */
     uint count[RSH_MAX_LEVELS + 1];
-    rsh_pair hits[RSH_WIDTH]; /* level 0: wait until they fill a vector */
+    stream_pair hits[RSH_WIDTH]; /* level 0: wait until they fill a vector */
     uint hit_count;
-} rsh_walk;
+} walk_lists;
 
-static void add_pair(const rsh_target* target, rsh_walk* walk, uint level, rsh_pair pair)
+static void add_pair(const hit_target* target, walk_lists* walk, uint level, stream_pair pair)
 {
     if (level > 0) {
         walk->pairs[level][walk->count[level]++] = pair;
@@ -32,11 +32,11 @@ static void add_pair(const rsh_target* target, rsh_walk* walk, uint level, rsh_p
 }
 
 /* Tests up to RSH_PAIRS pairs with nodes of level + 1 and lists the survivors at `level`. */
-static void descend(const rsh_target* target, const rsh_levels* levels, uint level,
-                    const rsh_pair* pairs, uint count, __global const float4* spheres,
-                    __global const rsh_node_quad* quads, rsh_walk* walk)
+static void descend(const hit_target* target, const rsh_levels* levels, uint level,
+                    const stream_pair* pairs, uint count, __global const float4* spheres,
+                    __global const cone_node4* quads, walk_lists* walk)
 {
-    rsh_pair group[RSH_PAIRS];
+    stream_pair group[RSH_PAIRS];
     int survives[4 * RSH_PAIRS];
     for (uint i = 0; i < RSH_PAIRS; ++i) group[i] = pairs[min(i, count - 1)];
     test_pairs(levels, level, group, spheres, quads, survives);
@@ -45,14 +45,14 @@ static void descend(const rsh_target* target, const rsh_levels* levels, uint lev
         vstore4(child_names(levels, level, group[i].node), 0, name);
         for (uint k = 0; k < 4; ++k)
             if (survives[4 * i + k])
-                add_pair(target, walk, level, (rsh_pair){group[i].triangle, name[k]});
+                add_pair(target, walk, level, (stream_pair){group[i].triangle, name[k]});
     }
 }
 
 /* Empties the lists up to the one at `top`. */
-static void walk_down(const rsh_target* target, const rsh_levels* levels, uint top,
-                      __global const float4* spheres, __global const rsh_node_quad* quads,
-                      rsh_walk* walk)
+static void walk_down(const hit_target* target, const rsh_levels* levels, uint top,
+                      __global const float4* spheres, __global const cone_node4* quads,
+                      walk_lists* walk)
 {
     uint level = top;
     while (true) {
@@ -62,7 +62,7 @@ static void walk_down(const rsh_target* target, const rsh_levels* levels, uint t
         }
         const uint taken = min(walk->count[level], (uint)RSH_TAKEN);
         walk->count[level] -= taken;
-        const rsh_pair* pairs = walk->pairs[level] + walk->count[level];
+        const stream_pair* pairs = walk->pairs[level] + walk->count[level];
         for (uint i = 0; i < taken; i += RSH_PAIRS)
             descend(target, levels, level - 1, pairs + i, min((uint)RSH_PAIRS, taken - i),
                     spheres, quads, walk);
@@ -70,22 +70,22 @@ static void walk_down(const rsh_target* target, const rsh_levels* levels, uint t
     }
 }
 
-__kernel void rsh_traverse_walk(rsh_levels shape, uint level, uint limit, rsh_mesh mesh,
+__kernel void rsh_traverse_walk(rsh_levels shape, uint level, uint limit, mesh_view mesh,
                                 __global const float* vertices, __global const uint* indices,
                                 __global const rsh_ray* rays, __global const float4* spheres,
-                                __global const rsh_node_quad* quads,
-                                __global const rsh_pair* pairs, __global const uint* pair_count,
-                                __global rsh_hit* hits, __global uint* occlusion,
-                                uint occlusion_bit)
+                                __global const cone_node4* quads,
+                                __global const stream_pair* pairs,
+                                __global const uint* pair_count, __global rsh_hit* hits,
+                                __global uint* occlusion, uint occlusion_bit)
 {
     const rsh_levels levels = shape;
-    const rsh_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const hit_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
     const uint total = pair_count[level + 1];
     if (total <= limit) return;
-    rsh_walk walk;
+    walk_lists walk;
     for (uint l = 0; l <= RSH_MAX_LEVELS; ++l) walk.count[l] = 0;
     walk.hit_count = 0;
-    const rsh_stride mine = my_elements(total - limit);
+    const strided_range mine = my_elements(total - limit);
     for (uint i = mine.begin; i < mine.end; i += mine.step) {
         add_pair(&target, &walk, level + 1, pairs[limit + i]);
         const bool is_last = i + mine.step >= mine.end;

@@ -5,10 +5,10 @@
 #include "rsh/rsh_types.h"
 
 /* Element of the stream that the traversal works on. */
-typedef struct rsh_pair {
+typedef struct stream_pair {
     rsh_uint triangle; /* RSH_NO_HIT: the pair did not survive */
     rsh_uint node;     /* grid: row * 65536 + column; list: the index; level 0: the ray */
-} rsh_pair;
-RSH_ASSERT_SIZE(rsh_pair, 8);
+} stream_pair;
+RSH_ASSERT_SIZE(stream_pair, 8);
 
 #endif

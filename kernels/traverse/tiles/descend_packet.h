@@ -7,45 +7,46 @@
 #include "traverse/tiles/leaf.h"
 
 /* So many rays go on alone; more, where boxes that the block meets were met by none of them. */
-#define RSH_FEW_RAYS 3
+#define RSH_SPLIT_RAYS 3
 
 /* A block on its way. */
-typedef struct rsh_block_probe {
+typedef struct block_packet {
     uint b;
     const int* sign; /* that of all rays per axis, or 0 */
     uint wasted;     /* visits that met no ray, less those that did */
-} rsh_block_probe;
+} block_packet;
 
-static void visit_box_by_block(rsh_work* work, rsh_block_probe* probe, const rsh_box* box)
+static void visit_box_by_block(traversal_state* state, block_packet* block,
+                               const bvh_child* box)
 {
-    rsh_block* block = block_of(work, probe->b);
+    ray_packet* packet = packet_of(state, block->b);
     uint rays = 0; /* not known */
-    if (block->is_fit) {
-        work->node_tests += 16;
-        rays = rays_meeting(block, probe->sign, box->low, box->high);
-        const uint few = RSH_FEW_RAYS + probe->wasted;
-        probe->wasted = rays ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
+    if (packet->is_fit) {
+        state->node_tests += 16;
+        rays = rays_meeting(packet, block->sign, box->low, box->high);
+        const uint few = RSH_SPLIT_RAYS + block->wasted;
+        block->wasted = rays ? block->wasted - (block->wasted > 0) : block->wasted + 1;
         if (popcount(rays) <= few) {
             for (; rays; rays &= rays - 1)
-                traverse_ray(work, probe->b, lowest_bit(rays), box->below);
-            lower_block_limit(work, probe->b);
+                traverse_ray(state, block->b, lowest_bit(rays), box->child);
+            lower_block_limit(state, block->b);
             return;
         }
     }
-    if (is_cluster(box->below))
-        intersect_cluster_by_block(work, probe->b, probe->sign, box, rays);
+    if (is_leaf(box->child))
+        intersect_leaf_by_block(state, block->b, block->sign, box, rays);
     else
-        push_boxes_met(work, block_bundle(work, probe->b), box->below);
+        push_boxes_met(state, interval_packet_of_block(state, block->b), box->child);
 }
 
 /* What lies on the stack above bottom. */
-static void traverse_block(rsh_work* work, rsh_block_probe* probe, uint bottom)
+static void traverse_block(traversal_state* state, block_packet* block, uint bottom)
 {
-    while (work->stack_size > bottom) {
-        const ulong top = work->stack[--work->stack_size];
-        if (near_of(top) > lane_of(work->blocks.limit, probe->b)) continue;
-        const rsh_box box = load_box(work, name_of(top));
-        visit_box_by_block(work, probe, &box);
+    while (state->stack_size > bottom) {
+        const ulong top = state->stack[--state->stack_size];
+        if (near_of(top) > lane_of(state->blocks.limit, block->b)) continue;
+        const bvh_child box = load_box(state, name_of(top));
+        visit_box_by_block(state, block, &box);
     }
 }
 

@@ -6,39 +6,40 @@
 #include "traverse/tiles/state.h"
 
 /* Ray k of block b through what is below a box. */
-static void traverse_ray(rsh_work* work, uint b, uint k, uint below)
+static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
 {
-    rsh_block* block = block_of(work, b);
-    rsh_lone_ray ray = lone_ray(block, k);
-    const uint bottom = work->stack_size;
-    work->stack[work->stack_size++] = below;
+    ray_packet* packet = packet_of(state, b);
+    single_ray ray = single_ray_of(packet, k);
+    const uint bottom = state->stack_size;
+    state->stack[state->stack_size++] = child;
     bool changed = false;
-    while (work->stack_size > bottom) {
-        const ulong top = work->stack[--work->stack_size];
+    while (state->stack_size > bottom) {
+        const ulong top = state->stack[--state->stack_size];
         if (near_of(top) > ray.limit) continue;
         const uint at = name_of(top);
-        if (is_cluster(at)) {
-            work->ray_tests += 16;
-            changed |= intersect_cluster(&ray, cluster_of(work, at), (at & RSH_SCALED) != 0,
-                                         work->is_any);
+        if (is_leaf(at)) {
+            state->ray_tests += 16;
+            changed |=
+                intersect_leaf(&ray, leaf_of(state, at), (at & RSH_SCALED) != 0, state->is_any);
             continue;
         }
-        __global const float* group = group_of(work, at);
+        __global const float* node = node_of(state, at);
         float near[16];
-        work->node_tests += 16;
-        const uint met = boxes_met_by_ray(&ray, group, near);
-        work->stack_size += sort_boxes(met, near, 0, (__global const uint*)group + RSH_BELOW_AT,
-                                       work->stack + work->stack_size);
+        state->node_tests += 16;
+        const uint met = boxes_met_by_ray(&ray, node, near);
+        state->stack_size +=
+            sort_boxes(met, near, 0, (__global const uint*)node + RSH_CHILDREN_AT,
+                       state->stack + state->stack_size);
     }
-    if (changed) put_back(&ray, block, k);
+    if (changed) store_single_ray(&ray, packet, k);
 }
 
 /* All rays of block b through the whole scene. */
-static void traverse_rays(rsh_work* work, uint b)
+static void traverse_rays(traversal_state* state, uint b)
 {
     for (uint k = 0; k < 16; ++k)
-        if (lane_of(&block_of(work, b)->ray[k / RSH_WIDTH].tmax, k % RSH_WIDTH) >= 0.0f)
-            traverse_ray(work, b, k, work->scene->top);
+        if (lane_of(&packet_of(state, b)->ray[k / RSH_WIDTH].tmax, k % RSH_WIDTH) >= 0.0f)
+            traverse_ray(state, b, k, state->scene->top);
 }
 
 #endif

@@ -6,31 +6,31 @@
 #include "bvh/layout.h"
 #include "traverse/packet16.h"
 
-typedef struct rsh_lone_ray {
-    uint near_row[3], far_row[3]; /* of a group: where its bounds of t lie */
+typedef struct single_ray {
+    uint near_row[3], far_row[3]; /* of a node: where its bounds of t lie */
     float near_origin[3], far_origin[3], inverse[3];
     float limit;   /* tmax, raised; negative: retired */
-    uint k_row[3]; /* of a corner: the axes x y z of rsh_sheared */
+    uint k_row[3]; /* of a corner: the axes x y z of sheared_rays */
     float k_origin[3], slope_x, slope_y, inverse_z, tmin, tmax;
     float u, v;
     uint primitive;
-} rsh_lone_ray;
+} single_ray;
 
-static rsh_lone_ray lone_ray(const rsh_block* block, uint k)
+static single_ray single_ray_of(const ray_packet* packet, uint k)
 {
-    const rsh_sheared* r = &block->ray[k / RSH_WIDTH];
+    const sheared_rays* r = &packet->ray[k / RSH_WIDTH];
     const uint lane = k % RSH_WIDTH;
-    rsh_lone_ray ray;
+    single_ray ray;
     const float origin[3] = {lane_of(&r->origin_x, lane), lane_of(&r->origin_y, lane),
                              lane_of(&r->origin_z, lane)};
     for (uint axis = 0; axis < 3; ++axis) {
-        const float inverse = lane_of(block->inverse[axis], k);
+        const float inverse = lane_of(packet->inverse[axis], k);
         const bool is_negative = inverse < 0.0f;
         ray.inverse[axis] = inverse;
         ray.near_row[axis] = 16 * axis + (is_negative ? 48 : 0);
         ray.far_row[axis] = 16 * axis + (is_negative ? 0 : 48);
-        ray.near_origin[axis] = origin[axis] + (is_negative ? -block->pad : block->pad);
-        ray.far_origin[axis] = origin[axis] - (is_negative ? -block->pad : block->pad);
+        ray.near_origin[axis] = origin[axis] + (is_negative ? -packet->pad : packet->pad);
+        ray.far_origin[axis] = origin[axis] - (is_negative ? -packet->pad : packet->pad);
     }
     const uint z = ((const int*)&r->kz_is_x)[lane]   ? 0
                    : ((const int*)&r->kz_is_y)[lane] ? 1
@@ -46,29 +46,29 @@ static rsh_lone_ray lone_ray(const rsh_block* block, uint k)
     ray.tmin = lane_of(&r->tmin, lane);
     ray.tmax = lane_of(&r->tmax, lane);
     ray.limit = ray.tmax * RSH_RAISED;
-    ray.u = lane_of(block->u, k);
-    ray.v = lane_of(block->v, k);
-    ray.primitive = ((const uint*)block->primitive)[k];
+    ray.u = lane_of(packet->u, k);
+    ray.v = lane_of(packet->v, k);
+    ray.primitive = ((const uint*)packet->primitive)[k];
     return ray;
 }
 
-static void put_back(const rsh_lone_ray* ray, rsh_block* block, uint k)
+static void store_single_ray(const single_ray* ray, ray_packet* packet, uint k)
 {
-    ((float*)&block->ray[k / RSH_WIDTH].tmax)[k % RSH_WIDTH] = ray->tmax;
-    ((float*)block->u)[k] = ray->u;
-    ((float*)block->v)[k] = ray->v;
-    ((uint*)block->primitive)[k] = ray->primitive;
+    ((float*)&packet->ray[k / RSH_WIDTH].tmax)[k % RSH_WIDTH] = ray->tmax;
+    ((float*)packet->u)[k] = ray->u;
+    ((float*)packet->v)[k] = ray->v;
+    ((uint*)packet->primitive)[k] = ray->primitive;
 }
 
 /* Which of 16 boxes the ray can meet, and from which t on. */
-static uint boxes_met_by_ray(const rsh_lone_ray* ray, __global const float* group, float* near)
+static uint boxes_met_by_ray(const single_ray* ray, __global const float* node, float* near)
 {
     uint met = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         floatv from = (floatv)(0.0f), to = (floatv)(ray->tmax);
         for (uint axis = 0; axis < 3; ++axis) {
-            const floatv low = load_lanes(group + ray->near_row[axis] + RSH_WIDTH * v);
-            const floatv high = load_lanes(group + ray->far_row[axis] + RSH_WIDTH * v);
+            const floatv low = load_lanes(node + ray->near_row[axis] + RSH_WIDTH * v);
+            const floatv high = load_lanes(node + ray->far_row[axis] + RSH_WIDTH * v);
             const floatv inverse = (floatv)(ray->inverse[axis]);
             from = greater((low - ray->near_origin[axis]) * inverse, from);
             to = lesser((high - ray->far_origin[axis]) * inverse, to);
@@ -80,12 +80,13 @@ static uint boxes_met_by_ray(const rsh_lone_ray* ray, __global const float* grou
 }
 
 /* Sixteen triangles, seen from the ray. */
-static rsh_seen see_cluster(const rsh_lone_ray* ray, __global const float* cluster, uint v)
+static ray_space_corners leaf_to_ray_space(const single_ray* ray, __global const float* leaf,
+                                           uint v)
 {
-    rsh_seen s;
-    __global const float* x = cluster + ray->k_row[0] + RSH_WIDTH * v;
-    __global const float* y = cluster + ray->k_row[1] + RSH_WIDTH * v;
-    __global const float* z = cluster + ray->k_row[2] + RSH_WIDTH * v;
+    ray_space_corners s;
+    __global const float* x = leaf + ray->k_row[0] + RSH_WIDTH * v;
+    __global const float* y = leaf + ray->k_row[1] + RSH_WIDTH * v;
+    __global const float* z = leaf + ray->k_row[2] + RSH_WIDTH * v;
     const floatv slope_x = (floatv)(ray->slope_x), slope_y = (floatv)(ray->slope_y);
     s.az = load_lanes(z) - ray->k_origin[2];
     s.bz = load_lanes(z + 48) - ray->k_origin[2];
@@ -99,27 +100,27 @@ static rsh_seen see_cluster(const rsh_lone_ray* ray, __global const float* clust
     return s;
 }
 
-static floatv scales_of(__global const float* cluster, uint v)
+static floatv scales_of(__global const float* leaf, uint v)
 {
     floatv corner[9];
-    for (uint i = 0; i < 9; ++i) corner[i] = load_lanes(cluster + 16 * i + RSH_WIDTH * v);
+    for (uint i = 0; i < 9; ++i) corner[i] = load_lanes(leaf + 16 * i + RSH_WIDTH * v);
     return triangle_scale(corner);
 }
 
-/* As intersect_block. */
-static bool intersect_cluster(rsh_lone_ray* ray, __global const float* cluster, bool is_scaled,
-                              bool is_any)
+/* As intersect_packet. */
+static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_scaled,
+                           bool is_any)
 {
-    __global const uint* triangles = (__global const uint*)cluster + RSH_TRIANGLES_AT;
+    __global const uint* triangles = (__global const uint*)leaf + RSH_TRIANGLES_AT;
     bool changed = false;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        rsh_seen seen = see_cluster(ray, cluster, v);
-        if (is_scaled) scale_across(&seen, scales_of(cluster, v));
-        rsh_sheared r;
+        ray_space_corners sheared = leaf_to_ray_space(ray, leaf, v);
+        if (is_scaled) scale_across(&sheared, scales_of(leaf, v));
+        sheared_rays r;
         r.inverse_z = (floatv)(ray->inverse_z);
         r.tmin = (floatv)(ray->tmin);
         r.tmax = (floatv)(ray->tmax);
-        const rsh_hits hits = cut(r, seen);
+        const lane_hits hits = intersect_sheared(r, sheared);
         uint met = RSH_LANE_BITS(hits.is_hit);
         if (!met) continue;
         float t[RSH_WIDTH], u[RSH_WIDTH], w[RSH_WIDTH];

@@ -2,12 +2,12 @@
  * back, triangles last. Rays go down the boxes together, as a tile, where they are worth it;
  * where few blocks of the tile meet a box, block by block; where few rays of a block do, ray by
  * ray.
- *   boxes      in      the scene's, and the triangles themselves; see bvh/layout.h
+ *   bvh        in      the scene's, and the triangles themselves; see bvh/layout.h
  *   nodes      in      blocks of the tiles (rays/build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
  * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of
- * 15 boxes per group on the way down. Whatever a decision below costs or saves, it only
+ * 15 boxes per node on the way down. Whatever a decision below costs or saves, it only
  * leaves out tests that cannot succeed.
  */
 #include "traverse/tiles/descend_packet.h"
@@ -15,206 +15,207 @@
 
 /* So many blocks go on alone; more, where boxes that all blocks together meet were met by none
  * of them. */
-#define RSH_FEW_BLOCKS 2
+#define RSH_SPLIT_BLOCKS 2
 
-/* In clusters met, the measure of traverse/tiles/packet_cost.h: what going down the boxes costs besides what is
+/* In leaves met, the measure of traverse/tiles/packet_cost.h: what going down the boxes costs besides what is
  * met there, for blocks and for a ray. */
-#define RSH_START 40.0f
-#define RSH_RAY 8.0f
+#define RSH_PACKET_COST 40.0f
+#define RSH_RAY_COST 8.0f
 
 /* Rays of a block that fill this much of the scene have no order of boxes in common. */
-#define RSH_WIDE 0.1f
+#define RSH_INCOHERENT_SHARE 0.1f
 
 /* Blocks of the tile that go down the boxes together. */
-typedef struct rsh_probe {
-    rsh_bundle bundle;
+typedef struct tile_packet {
+    interval_packet intervals;
     uint blocks; /* bit mask */
     int sign[3]; /* that of all their rays per axis, or 0 */
     uint wasted; /* visits that met no block, less those that did */
-} rsh_probe;
+} tile_packet;
 
-static rsh_probe probe_of(const rsh_work* work, uint blocks, const rsh_hull* hull)
+static tile_packet tile_packet_of(const traversal_state* state, uint blocks,
+                                  const packet_bounds* bounds)
 {
-    rsh_probe probe = {bundle_of(hull), blocks, {0, 0, 0}, 0};
+    tile_packet packet = {interval_packet_of(bounds), blocks, {0, 0, 0}, 0};
     for (uint axis = 0; axis < 3; ++axis) {
-        const int sign = probe.bundle.slab[axis].sign;
-        probe.sign[axis] = work->is_converging ? -sign : sign;
+        const int sign = packet.intervals.slab[axis].sign;
+        packet.sign[axis] = state->is_converging ? -sign : sign;
     }
-    return probe;
+    return packet;
 }
 
-/* How far the probe still has to look. */
-static void lower_limit(const rsh_work* work, rsh_probe* probe)
+/* How far the packet still has to look. */
+static void lower_limit(const traversal_state* state, tile_packet* packet)
 {
     floatv limit[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) limit[v] = work->blocks.limit[v];
+    for (uint v = 0; v < RSH_VECTORS; ++v) limit[v] = state->blocks.limit[v];
     for (uint b = 0; b < 16; ++b)
-        if (!(probe->blocks >> b & 1)) ((float*)limit)[b] = -1.0f;
-    probe->bundle.limit = largest_lane(limit);
+        if (!(packet->blocks >> b & 1)) ((float*)limit)[b] = -1.0f;
+    packet->intervals.limit = largest_lane(limit);
 }
 
-static void visit_box(rsh_work* work, rsh_probe* probe, const rsh_box* box)
+static void visit_box(traversal_state* state, tile_packet* packet, const bvh_child* box)
 {
-    work->node_tests += 16;
-    uint blocks =
-        bundles_meeting(&work->blocks, &probe->bundle, box->low, box->high) & probe->blocks;
-    const uint few = RSH_FEW_BLOCKS + probe->wasted;
-    probe->wasted = blocks ? probe->wasted - (probe->wasted > 0) : probe->wasted + 1;
+    state->node_tests += 16;
+    uint blocks = packets_meeting(&state->blocks, &packet->intervals, box->low, box->high) &
+                  packet->blocks;
+    const uint few = RSH_SPLIT_BLOCKS + packet->wasted;
+    packet->wasted = blocks ? packet->wasted - (packet->wasted > 0) : packet->wasted + 1;
     if (!blocks) return;
-    if (popcount(blocks) > few && !is_cluster(box->below)) {
-        push_boxes_met(work, &probe->bundle, box->below);
+    if (popcount(blocks) > few && !is_leaf(box->child)) {
+        push_boxes_met(state, &packet->intervals, box->child);
         return;
     }
     if (popcount(blocks) > few)
-        intersect_cluster_by_blocks(work, &probe->bundle, probe->sign, box, blocks);
+        intersect_leaf_by_blocks(state, &packet->intervals, packet->sign, box, blocks);
     else
         for (; blocks; blocks &= blocks - 1) {
-            rsh_block_probe block = {lowest_bit(blocks), probe->sign, 0};
-            const uint bottom = work->stack_size;
-            visit_box_by_block(work, &block, box);
-            traverse_block(work, &block, bottom);
+            block_packet block = {lowest_bit(blocks), packet->sign, 0};
+            const uint bottom = state->stack_size;
+            visit_box_by_block(state, &block, box);
+            traverse_block(state, &block, bottom);
         }
-    lower_limit(work, probe);
+    lower_limit(state, packet);
 }
 
-static void traverse(rsh_work* work, uint blocks, const rsh_hull* hull)
+static void traverse(traversal_state* state, uint blocks, const packet_bounds* bounds)
 {
-    rsh_probe probe = probe_of(work, blocks, hull);
-    lower_limit(work, &probe);
-    push_boxes_met(work, &probe.bundle, work->scene->top);
+    tile_packet packet = tile_packet_of(state, blocks, bounds);
+    lower_limit(state, &packet);
+    push_boxes_met(state, &packet.intervals, state->scene->top);
     if (is_single(blocks)) {
-        rsh_block_probe block = {lowest_bit(blocks), probe.sign, 0};
-        traverse_block(work, &block, 0);
+        block_packet block = {lowest_bit(blocks), packet.sign, 0};
+        traverse_block(state, &block, 0);
         return;
     }
-    while (work->stack_size) {
-        const ulong top = work->stack[--work->stack_size];
-        if (near_of(top) > probe.bundle.limit) continue;
-        const rsh_box box = load_box(work, name_of(top));
-        visit_box(work, &probe, &box);
+    while (state->stack_size) {
+        const ulong top = state->stack[--state->stack_size];
+        if (near_of(top) > packet.intervals.limit) continue;
+        const bvh_child box = load_box(state, name_of(top));
+        visit_box(state, &packet, &box);
     }
 }
 
-static bool is_wide(const rsh_work* work, float cost)
+static bool is_incoherent(const traversal_state* state, float cost)
 {
-    return cost >= RSH_WIDE * work->scene->clusters;
+    return cost >= RSH_INCOHERENT_SHARE * state->scene->leaves;
 }
 
 /* Together, if that costs no more than block by block. */
-static bool traverse_together(rsh_work* work, uint blocks, const float* cost)
+static bool traverse_together(traversal_state* state, uint blocks, const float* cost)
 {
-    const rsh_hull hull = hull_of(work, blocks);
-    float apart = 0.0f, together = RSH_START + cost_of(work, &hull);
+    const packet_bounds bounds = packet_bounds_of(state, blocks);
+    float apart = 0.0f, together = RSH_PACKET_COST + cost_of(state, &bounds);
     for (uint left = blocks; left; left &= left - 1) {
         const float alone = cost[lowest_bit(left)];
-        apart += is_wide(work, alone) ? 16.0f * RSH_RAY : RSH_START + alone;
-        together += alone; /* each still has its own to do at the clusters */
+        apart += is_incoherent(state, alone) ? 16.0f * RSH_RAY_COST : RSH_PACKET_COST + alone;
+        together += alone; /* each still has its own to do at the leaves */
     }
     if (together > apart) return false;
-    traverse(work, blocks, &hull);
+    traverse(state, blocks, &bounds);
     return true;
 }
 
-static void traverse_apart(rsh_work* work, uint blocks, const float* cost)
+static void traverse_apart(traversal_state* state, uint blocks, const float* cost)
 {
     for (; blocks; blocks &= blocks - 1) {
         const uint b = lowest_bit(blocks);
-        if (is_wide(work, cost[b]) && block_of(work, b)->is_fit) {
-            traverse_rays(work, b);
+        if (is_incoherent(state, cost[b]) && packet_of(state, b)->is_fit) {
+            traverse_rays(state, b);
         } else {
-            const rsh_hull hull = hull_of(work, 1u << b);
-            traverse(work, 1u << b, &hull);
+            const packet_bounds bounds = packet_bounds_of(state, 1u << b);
+            traverse(state, 1u << b, &bounds);
         }
     }
 }
 
 /* A tile whose rays have little in common, as at the edge between two mirrors, goes by
  * quarters, blocks or rays. */
-static void traverse_tile(rsh_work* work, uint active)
+static void traverse_tile(traversal_state* state, uint active)
 {
     float cost[16];
-    costs_of_blocks(work, cost);
-    if (traverse_together(work, active, cost)) return;
+    costs_of_blocks(state, cost);
+    if (traverse_together(state, active, cost)) return;
     for (uint quarter = 0; quarter < 4; ++quarter) {
         const uint blocks = active & (0x0033u << (quarter / 2 * 8 + quarter % 2 * 2));
-        if (blocks && !traverse_together(work, blocks, cost))
-            traverse_apart(work, blocks, cost);
+        if (blocks && !traverse_together(state, blocks, cost))
+            traverse_apart(state, blocks, cost);
     }
 }
 
 /* Returns the blocks that hold a ray. */
-static uint begin_tile(rsh_work* work)
+static uint begin_tile(traversal_state* state)
 {
     uint active = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
-        work->blocks.limit[v] = load_lanes(work->nodes + 16 * 12 + RSH_WIDTH * v) * RSH_RAISED;
-        active |= RSH_LANE_BITS(work->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
+        state->blocks.limit[v] =
+            load_lanes(state->nodes + 16 * 12 + RSH_WIDTH * v) * RSH_RAISED;
+        active |= RSH_LANE_BITS(state->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
     }
-    work->is_converging = as_uint(work->nodes[16 * 13]) != 0;
-    work->loaded = work->node_tests = work->ray_tests = work->stack_size = 0;
+    state->is_converging = as_uint(state->nodes[16 * 13]) != 0;
+    state->loaded = state->node_tests = state->ray_tests = state->stack_size = 0;
     if (!active) return 0;
     for (uint axis = 0; axis < 3; ++axis)
         for (uint v = 0; v < RSH_VECTORS; ++v) {
             floatv row[4];
             for (uint f = 0; f < 4; ++f)
-                row[f] = load_lanes(work->nodes + 16 * (3 * f + axis) + RSH_WIDTH * v);
-            set_bundles_axis(&work->blocks, axis, v, row[0], row[1], row[2], row[3]);
+                row[f] = load_lanes(state->nodes + 16 * (3 * f + axis) + RSH_WIDTH * v);
+            set_packets_axis(&state->blocks, axis, v, row[0], row[1], row[2], row[3]);
         }
     return active;
 }
 
-static void measure_scene(rsh_work* work)
+static void measure_scene(traversal_state* state)
 {
-    rsh_boxes top;
+    boxes16 top;
     float side[3];
-    load_boxes(group_of(work, work->scene->top), &top);
+    load_boxes(node_of(state, state->scene->top), &top);
     for (uint axis = 0; axis < 3; ++axis)
         side[axis] = largest_lane(top.high[axis]) - smallest_lane(top.low[axis]);
-    work->scene_size = fmax(side[0], fmax(side[1], side[2]));
+    state->scene_size = fmax(side[0], fmax(side[1], side[2]));
     const float surface = side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
-    work->cluster_size = surface / work->scene->clusters;
+    state->leaf_size = surface / state->scene->leaves;
 }
 
-static void store_answers(const rsh_work* work, __global rsh_hit* hits,
+static void store_answers(const traversal_state* state, __global rsh_hit* hits,
                           __global uint* occlusion, uint occlusion_bit)
 {
     for (uint b = 0; b < 16; ++b) {
-        const bool is_loaded = work->loaded >> b & 1;
-        if (!work->is_any && !is_loaded)
-            store_misses(work->tile, b, work->rays, hits);
-        else if (!work->is_any)
-            store_hits(&work->block[b], work->tile, b, hits);
+        const bool is_loaded = state->loaded >> b & 1;
+        if (!state->is_any && !is_loaded)
+            store_misses(state->tile, b, state->rays, hits);
+        else if (!state->is_any)
+            store_packet_hits(&state->packet[b], state->tile, b, hits);
         else if (is_loaded)
-            store_occlusion(&work->block[b], work->tile, b, occlusion, occlusion_bit);
+            store_packet_occlusion(&state->packet[b], state->tile, b, occlusion, occlusion_bit);
     }
 }
 
-__kernel void rsh_traverse_tiles(rsh_scene_shape scene_shape, __global const float* boxes,
-                                 rsh_levels shape, __global const rsh_ray* rays,
-                                 __global const float* nodes, __global rsh_hit* hits,
-                                 __global uint* occlusion, uint occlusion_bit, uint is_counting,
-                                 __global uint* counts)
+__kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, rsh_levels shape,
+                                 __global const rsh_ray* rays, __global const float* nodes,
+                                 __global rsh_hit* hits, __global uint* occlusion,
+                                 uint occlusion_bit, uint is_counting, __global uint* counts)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    rsh_scene_in scene;
-    scene.shape = scene_shape;
-    scene.boxes = boxes;
-    scene.top = bounds_head_of(boxes)->groups.end - 1;
-    scene.clusters = (float)((scene_shape.triangles + 15) / 16);
-    rsh_work work;
-    work.scene = &scene;
-    work.rays = rays;
-    work.nodes = nodes + 16ul * RSH_NODE_ROWS * me;
-    work.tile = tile_at(shape, (__global const uint*)nodes, me);
-    work.is_any = occlusion_bit != 0;
-    const uint active = begin_tile(&work);
-    if (active && scene_shape.triangles) {
-        measure_scene(&work);
-        traverse_tile(&work, active);
+    bvh_view scene;
+    scene.layout = layout;
+    scene.words = bvh;
+    scene.top = const_head_of(bvh)->nodes.end - 1;
+    scene.leaves = (float)((layout.triangles + 15) / 16);
+    traversal_state state;
+    state.scene = &scene;
+    state.rays = rays;
+    state.nodes = nodes + 16ul * RSH_NODE_ROWS * me;
+    state.tile = tile_at(shape, (__global const uint*)nodes, me);
+    state.is_any = occlusion_bit != 0;
+    const uint active = begin_tile(&state);
+    if (active && layout.triangles) {
+        measure_scene(&state);
+        traverse_tile(&state, active);
     }
-    store_answers(&work, hits, occlusion, occlusion_bit);
+    store_answers(&state, hits, occlusion, occlusion_bit);
     if (!is_counting) return;
-    atomic_add(counts, work.node_tests);
-    atomic_add(counts + 1, work.ray_tests);
+    atomic_add(counts, state.node_tests);
+    atomic_add(counts + 1, state.ray_tests);
 }

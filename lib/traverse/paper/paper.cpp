@@ -6,7 +6,7 @@
 #include "rays/box.hpp"
 #include "rays/levels.hpp"
 #include "rays/types.h"
-#include "traverse/paper/traverse_runs.hpp"
+#include "traverse/paper/traverse_ranges.hpp"
 
 namespace rsh {
 namespace {
@@ -17,23 +17,23 @@ constexpr size_t kBytesPerTriangle = 2 * sizeof(cl_uint) + sizeof(cl_ushort);
 constexpr cl_ulong kMaxCapacity = 1u << 27;
 constexpr size_t kDefaultBytes = 40;  // per ray and per triangle
 
-// A parent's run is cut so that each level has work-items for all cores; each of them looks at
-// the counts of all pieces of its parent, so that more pieces would cost more than they bring.
-constexpr cl_uint kMaxPieces = 256;
+// A parent's range is cut so that each level has work-items for all cores; each of them looks at
+// the counts of all slices of its parent, so that more slices would cost more than they bring.
+constexpr cl_uint kMaxSlices = 256;
 
 cl_uint nodes_of(const rsh_levels& levels, cl_uint level) {
     return static_cast<cl_uint>(node_count(levels, level));
 }
 
-cl_uint pieces_of(const Context& context, const rsh_levels& levels, cl_uint level) {
+cl_uint slices_of(const Context& context, const rsh_levels& levels, cl_uint level) {
     const cl_uint wanted = context.vector_width > 1 ? 32 * context.caps.compute_units : 4096;
     const cl_uint parents = std::max(nodes_of(levels, level + 1), 1u);
-    return std::clamp(wanted / parents, 1u, kMaxPieces);
+    return std::clamp(wanted / parents, 1u, kMaxSlices);
 }
 
-// What runs name: places in the clusters, some of them empty.
+// What ranges name: places in the leaves, some of them empty.
 cl_uint names_of(const rsh_traverse_desc& desc) {
-    return 16 * RSH_CLUSTERS(scene_shape(desc.geometry.triangle_count));
+    return 16 * RSH_LEAVES(bvh_layout_of(desc.geometry.triangle_count));
 }
 
 // Triangles that a level can hold; never more than the scene can make.
@@ -60,14 +60,14 @@ cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
     return std::max<cl_uint>(1, std::min(all, capacity / 4));
 }
 
-// The runs of level 1 stand first.
-cl_uint first_run(const rsh_levels& levels, cl_uint level) {
+// The ranges of level 1 stand first.
+cl_uint first_range(const rsh_levels& levels, cl_uint level) {
     cl_uint first = 0;
     for (cl_uint l = 1; l < level; ++l) first += nodes_of(levels, l);
     return first;
 }
 
-void add_tally(rsh_statistics& sums, const rsh_run_step& root, const cl_uint* tally) {
+void add_tally(rsh_statistics& sums, const range_step& root, const cl_uint* tally) {
     ++sums.batches;
     sums.pairs_tested[root.level + 1] += root.batch_count;
     sums.node_tests += 16 * cl_ulong{root.batch_count};
@@ -91,54 +91,55 @@ public:
           shape_(group_levels(desc.width, desc.height)),
           scratch_(recorder, layout, desc.scratch),
           streams_{capacity_of(desc, shape_), {scratch_["even levels"], scratch_["odd levels"]},
-                   scratch_["runs"],          scratch_["masks"],
+                   scratch_["ranges"],        scratch_["masks"],
                    scratch_["counts"],        scratch_["sums"],
                    scratch_["tally"]} {
         if (!desc_.bounds) desc_.bounds = make_bounds(recorder_, desc_, scratch_);
     }
 
     void run() {
-        clear_run_hits(recorder_, desc_);
+        clear_range_hits(recorder_, desc_);
         join_boxes(recorder_, shape_, desc_.nodes, scratch_["nodes"]);
         const cl_uint total = names_of(desc_);
         const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
         for (cl_uint first = 0; first < total; first += size) {
             report_progress(desc_, first / size, (total + size - 1) / size);
-            run_batch(first, std::min(size, total - first));
+            trace_batch(first, std::min(size, total - first));
         }
     }
 
 private:
-    void run_batch(cl_uint first, cl_uint count) {
+    void trace_batch(cl_uint first, cl_uint count) {
         const bool is_counting = recorder_.context().statistics.enabled();
         if (is_counting)
             recorder_.fill(RSH_STAGE_OTHER, streams_.tally, 0,
                            RSH_TALLY_WORDS * sizeof(cl_uint));
         for (cl_uint level = shape_.count; level-- > 1;) {
-            const RunLevel step = level_of(level, first, count);
-            count_runs(recorder_, desc_, step, streams_);
-            emit_runs(recorder_, step, streams_);
+            const RangeLevel step = level_of(level, first, count);
+            count_ranges(recorder_, desc_, step, streams_);
+            emit_ranges(recorder_, step, streams_);
             if (can_overflow(shape_, level, count, streams_.capacity))
-                finish_runs(recorder_, desc_, step, streams_);
+                finish_ranges(recorder_, desc_, step, streams_);
         }
-        intersect_runs(recorder_, desc_, shape_, streams_);
+        intersect_ranges(recorder_, desc_, shape_, streams_);
         if (!is_counting) return;
-        const rsh_run_step root = level_of(shape_.count - 1, first, count).step;
+        const range_step root = level_of(shape_.count - 1, first, count).step;
         recorder_.count_later(streams_.tally, RSH_TALLY_WORDS,
                               [root](rsh_statistics& sums, const cl_uint* tally) {
                                   add_tally(sums, root, tally);
                               });
     }
 
-    RunLevel level_of(cl_uint level, cl_uint first, cl_uint count) {
+    RangeLevel level_of(cl_uint level, cl_uint first, cl_uint count) {
         const bool is_upper = level > 1;
-        rsh_run_step step = {};
+        range_step step = {};
         step.level = level;
         step.parents = nodes_of(shape_, level + 1);
-        step.pieces = pieces_of(recorder_.context(), shape_, level);
-        step.first_group = shape_.first_quad[level] - (is_upper ? shape_.first_quad[2] : 0);
-        step.first_parent_run = first_run(shape_, level + 1);
-        step.first_child_run = first_run(shape_, level);
+        step.slices = slices_of(recorder_.context(), shape_, level);
+        step.first_child_group =
+            shape_.first_child_group[level] - (is_upper ? shape_.first_child_group[2] : 0);
+        step.first_parent_range = first_range(shape_, level + 1);
+        step.first_child_range = first_range(shape_, level);
         step.capacity = streams_.capacity;
         step.is_root = level + 1 == shape_.count;
         step.batch_first = first;
@@ -151,7 +152,7 @@ private:
     rsh_traverse_desc desc_;
     rsh_levels shape_;
     Scratch scratch_;
-    RunStreams streams_;
+    RangeStreams streams_;
 };
 
 }  // namespace
@@ -160,20 +161,20 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
                       SceneBounds bounds) const {
     const rsh_levels shape = group_levels(desc.width, desc.height);
     const cl_uint capacity = capacity_of(desc, shape);
-    size_t pieces = 0;
+    size_t slices = 0;
     for (cl_uint level = 1; level < shape.count; ++level)
-        pieces = std::max(
-            pieces, size_t{nodes_of(shape, level + 1)} * pieces_of(context, shape, level));
+        slices = std::max(
+            slices, size_t{nodes_of(shape, level + 1)} * slices_of(context, shape, level));
     Layout layout(context.caps.alignment);
     layout.add_array<cl_uint>("even levels", capacity);
     layout.add_array<cl_uint>("odd levels", capacity);
     layout.add_array<cl_ushort>("masks", capacity);
-    layout.add_array<cl_uint2>("runs", first_run(shape, shape.count));
-    layout.add_array<cl_uint16>("counts", pieces);
-    layout.add_array<cl_uint>("sums", pieces + 1);
+    layout.add_array<cl_uint2>("ranges", first_range(shape, shape.count));
+    layout.add_array<cl_uint16>("counts", slices);
+    layout.add_array<cl_uint>("sums", slices + 1);
     layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
-    layout.add_array<rsh_node_group>("nodes",
-                                     shape.first_quad[shape.count] - shape.first_quad[2]);
+    layout.add_array<box_node16>(
+        "nodes", shape.first_child_group[shape.count] - shape.first_child_group[2]);
     reserve_bounds(layout, context, desc, bounds);
     return layout;
 }

@@ -12,9 +12,9 @@ namespace rsh {
 namespace {
 
 constexpr size_t kDefaultBudget = 64u << 20;
-// A pair that is tested takes four candidates and, if all survive, four places behind them.
-constexpr size_t kBytesPerTest = 8 * sizeof(rsh_pair);
-// Its four candidates are counted in 32 bits.
+// A pair that is tested takes four tested_pairs and, if all survive, four places behind them.
+constexpr size_t kBytesPerTest = 8 * sizeof(stream_pair);
+// Its four tested_pairs are counted in 32 bits.
 constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
 
 rsh_levels cone_levels(const rsh_traverse_desc& desc) {
@@ -49,10 +49,10 @@ cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
 ReduceStream survivors(const PairStreams& streams, cl_uint level) {
     ReduceStream stream = {};
     stream.keep = RSH_KEEP_NOT_NULL;
-    stream.element_bytes = sizeof(rsh_pair);
+    stream.element_bytes = sizeof(stream_pair);
     stream.count = 4 * streams.limit;
-    stream.input_count = streams.candidate_count;
-    stream.input = streams.candidates;
+    stream.input_count = streams.tested_count;
+    stream.input = streams.tested_pairs;
     stream.output = streams.pairs;
     stream.output_count = streams.counts;
     stream.output_index = level;
@@ -91,8 +91,8 @@ public:
           levels_(cone_levels(desc)),
           strategy_(safe_strategy(recorder.context(), desc.strategy)),
           scratch_(recorder, layout, desc.scratch),
-          streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["candidates"],
-                   scratch_["candidate count"], scratch_["counts"]} {
+          streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["tested_pairs"],
+                   scratch_["tested count"], scratch_["counts"]} {
         if (!desc_.bounds) desc_.bounds = make_bounds(recorder_, desc_, scratch_);
     }
 
@@ -140,13 +140,13 @@ Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& d
     const rsh_levels levels = cone_levels(desc);
     const cl_uint limit = limit_of(desc, levels);
     Layout layout(context.caps.alignment);
-    layout.add_array<rsh_pair>("pairs", size_t{4} * limit);
-    layout.add_array<rsh_pair>("candidates", size_t{4} * limit);
-    layout.add_array<cl_uint>("candidate count", 1);
+    layout.add_array<stream_pair>("pairs", size_t{4} * limit);
+    layout.add_array<stream_pair>("tested_pairs", size_t{4} * limit);
+    layout.add_array<cl_uint>("tested count", 1);
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
     reserve_bounds(layout, context, desc, bounds);
     safe_strategy(context, desc.strategy)
-        .reserve(layout, context, {4 * limit, sizeof(rsh_pair)});
+        .reserve(layout, context, {4 * limit, sizeof(stream_pair)});
     return layout;
 }
 

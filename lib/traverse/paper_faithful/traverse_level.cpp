@@ -7,28 +7,28 @@ namespace rsh {
 
 void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                const PairStreams& streams, const Batch& batch) {
-    recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_test_root"},
+    recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level_root"},
                     recorder.stream_range(), levels, levels.count - 1, batch.first_triangle,
-                    batch.triangle_count, desc.bounds, desc.nodes, streams.candidates,
-                    streams.candidate_count);
+                    batch.triangle_count, desc.bounds, desc.nodes, streams.tested_pairs,
+                    streams.tested_count);
 }
 
 void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                 cl_uint level, const PairStreams& streams) {
-    recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_test"},
+    recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level"},
                     recorder.stream_range(), levels, level, streams.limit, desc.bounds,
-                    desc.nodes, streams.pairs, streams.counts, streams.candidates,
-                    streams.candidate_count);
+                    desc.nodes, streams.pairs, streams.counts, streams.tested_pairs,
+                    streams.tested_count);
 }
 
 void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
                 cl_uint level, const PairStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_walk"},
-                    recorder.stream_range(), levels, level, streams.limit, mesh_of(geometry),
-                    geometry.vertices, geometry.indices, desc.rays, desc.bounds, desc.nodes,
-                    streams.pairs, streams.counts, desc.hits, desc.occlusion,
-                    occlusion_mask(desc));
+                    recorder.stream_range(), levels, level, streams.limit,
+                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                    desc.bounds, desc.nodes, streams.pairs, streams.counts, desc.hits,
+                    desc.occlusion, occlusion_mask(desc));
 }
 
 }  // namespace rsh

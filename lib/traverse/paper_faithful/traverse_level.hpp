@@ -8,12 +8,12 @@
 namespace rsh {
 
 // The streams of one traversal. A level's test reads at most `limit` pairs and writes four
-// candidates for each; the reduction packs them into `pairs` and counts them in counts[level].
+// tested_pairs for each; the reduction packs them into `pairs` and counts them in counts[level].
 struct PairStreams {
     cl_uint limit;
     cl_mem pairs;
-    cl_mem candidates;
-    cl_mem candidate_count;
+    cl_mem tested_pairs;
+    cl_mem tested_count;
     cl_mem counts;  // cl_uint per level
 };
 

@@ -38,7 +38,7 @@ void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const rsh_levels shape = find_bound(RSH_BOUND_BOX).levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
                     recorder.serial_range(node_count(shape, 2)),
-                    scene_shape(desc.geometry.triangle_count), bounds, shape, desc.rays,
+                    bvh_layout_of(desc.geometry.triangle_count), bounds, shape, desc.rays,
                     desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
                     cl_uint{is_counting}, memory["counts"]);
     if (is_counting) count_tests(recorder, memory["counts"]);

@@ -39,7 +39,7 @@ public:
 
     // Child k of a node of level + 1, as the cone-sphere test of kernels/cone_sphere.h sees it.
     bool meets(cl_uint level, const HostPair& pair, int k) const {
-        const rsh_node_quad& q = quads_[levels_.first_quad[level] + pair.node];
+        const cone_node4& q = quads_[levels_.first_child_group[level] + pair.node];
         const cl_float4& s = spheres_[pair.triangle];
         if (!(q.radius.s[k] >= 0) || !(s.s[3] >= 0)) return false;
         if (q.sine.s[k] > 1) return true;
@@ -71,9 +71,9 @@ private:
         desc.nodes = nodes_();
         require(rsh_build(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
                 "rsh_build");
-        quads_.resize(levels_.first_quad[levels_.count]);
+        quads_.resize(levels_.first_child_group[levels_.count]);
         device_.queue().enqueueReadBuffer(nodes_, CL_TRUE, 0,
-                                          quads_.size() * sizeof(rsh_node_quad), quads_.data());
+                                          quads_.size() * sizeof(cone_node4), quads_.data());
     }
 
     void bound() {
@@ -96,7 +96,7 @@ private:
     RayMaker rays_;
     rsh_levels levels_{};
     cl::Buffer nodes_;
-    std::vector<rsh_node_quad> quads_;
+    std::vector<cone_node4> quads_;
     std::vector<cl_float4> spheres_;
 };
 

@@ -1,12 +1,12 @@
-/* screen_tile.h - the square of pixels that one work-item owns: their rays, sheared once,
+/* pixel_square.h - the square of pixels that one work-item owns: their rays, sheared once,
  * and their best hits so far. A block of RSH_WIDTH pixels is one vector.
  *
  * SIMT devices (RSH_WIDTH 1): a pixel per work-item, a tile per work-group. Elsewhere a
  * work-item owns the whole tile. Knows nothing of lists: triangles must be offered in ascending
  * order.
  */
-#ifndef RSH_CAMERA_SCREEN_TILE_H
-#define RSH_CAMERA_SCREEN_TILE_H
+#ifndef RSH_CAMERA_PIXEL_SQUARE_H
+#define RSH_CAMERA_PIXEL_SQUARE_H
 
 #include "camera/types.h"
 #include "mesh/intersect.h"
@@ -15,34 +15,35 @@
 #define RSH_TILE 16 /* pixels along a tile's edge */
 #endif
 #define RSH_SIDE (RSH_WIDTH == 1 ? 1 : RSH_TILE) /* ... along a work-item's square */
-#define RSH_BLOCK_X (RSH_WIDTH >= 8 ? 4 : RSH_WIDTH >= 4 ? 2 : 1)
-#define RSH_BLOCK_Y (RSH_WIDTH / RSH_BLOCK_X)
-#define RSH_COLUMNS (RSH_SIDE / RSH_BLOCK_X) /* blocks in the square */
-#define RSH_ROWS (RSH_SIDE / RSH_BLOCK_Y)
+#define RSH_LANES_X (RSH_WIDTH >= 8 ? 4 : RSH_WIDTH >= 4 ? 2 : 1)
+#define RSH_LANES_Y (RSH_WIDTH / RSH_LANES_X)
+#define RSH_COLUMNS (RSH_SIDE / RSH_LANES_X) /* blocks in the square */
+#define RSH_ROWS (RSH_SIDE / RSH_LANES_Y)
 
-typedef struct rsh_block {
-    rsh_sheared rays;
-    rsh_best best;
-} rsh_block;
+typedef struct pixel_lanes {
+    sheared_rays rays;
+    closest_hits best;
+} pixel_lanes;
 
-typedef struct rsh_square {
+typedef struct pixel_square {
     int x, y; /* its first pixel */
-    rsh_block blocks[RSH_ROWS * RSH_COLUMNS];
-} rsh_square;
+    pixel_lanes lanes[RSH_ROWS * RSH_COLUMNS];
+} pixel_square;
 
 /* First pixel of block (0, 0) plus the lanes' places in a block. */
 static void lane_pixels(uint column, uint row, uint* x, uint* y)
 {
     for (uint i = 0; i < RSH_WIDTH; ++i) {
-        x[i] = column + i % RSH_BLOCK_X;
-        y[i] = row + i / RSH_BLOCK_X;
+        x[i] = column + i % RSH_LANES_X;
+        y[i] = row + i / RSH_LANES_X;
     }
 }
 
 /* Unit directions of a block's rays; see rsh_camera. (x + 0.5) / width * 2 - 1 is written as
  * one quotient of whole numbers, which rounds once. NaN, and an inactive ray, where forward,
  * right and up cancel. */
-static void look(const rsh_screen* screen, const uint* x, const uint* y, floatv* direction)
+static void pixel_directions(const screen_setup* screen, const uint* x, const uint* y,
+                             floatv* direction)
 {
     float from_centre_x[RSH_WIDTH], from_centre_y[RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {
@@ -60,7 +61,7 @@ static void look(const rsh_screen* screen, const uint* x, const uint* y, floatv*
     direction[2] = dz / length;
 }
 
-static void store_rays(const rsh_screen* screen, const uint* x, const uint* y,
+static void store_rays(const screen_setup* screen, const uint* x, const uint* y,
                        const floatv* direction, __global rsh_ray* rays)
 {
     float lanes[3][RSH_WIDTH];
@@ -73,58 +74,59 @@ static void store_rays(const rsh_screen* screen, const uint* x, const uint* y,
     }
 }
 
-static void begin_block(const rsh_screen* screen, const uint* x, const uint* y,
-                        rsh_block* block, __global rsh_ray* rays)
+static void begin_lanes(const screen_setup* screen, const uint* x, const uint* y,
+                        pixel_lanes* lanes, __global rsh_ray* rays)
 {
     floatv direction[3];
-    look(screen, x, y, direction);
+    pixel_directions(screen, x, y, direction);
     store_rays(screen, x, y, direction, rays);
-    block->rays =
+    lanes->rays =
         shear_rays((floatv)(screen->eye_near.x), (floatv)(screen->eye_near.y),
                    (floatv)(screen->eye_near.z), direction[0], direction[1], direction[2],
                    (floatv)(screen->eye_near.w), (floatv)(screen->forward_far.w));
-    block->best = no_hits();
+    lanes->best = no_hits();
 }
 
-static void begin_square(const rsh_screen* screen, rsh_square* square, __global rsh_ray* rays)
+static void begin_square(const screen_setup* screen, pixel_square* square,
+                         __global rsh_ray* rays)
 {
     uint x[RSH_WIDTH], y[RSH_WIDTH];
     for (uint b = 0; b < RSH_ROWS * RSH_COLUMNS; ++b) {
-        lane_pixels(square->x + b % RSH_COLUMNS * RSH_BLOCK_X,
-                    square->y + b / RSH_COLUMNS * RSH_BLOCK_Y, x, y);
-        begin_block(screen, x, y, &square->blocks[b], rays);
+        lane_pixels(square->x + b % RSH_COLUMNS * RSH_LANES_X,
+                    square->y + b / RSH_COLUMNS * RSH_LANES_Y, x, y);
+        begin_lanes(screen, x, y, &square->lanes[b], rays);
     }
 }
 
 /* First and last block of the square, in .xy and .zw, that a box of pixels meets. */
-static int4 blocks_in(const rsh_square* square, ushort4 box)
+static int4 lanes_met(const pixel_square* square, ushort4 box)
 {
     const int4 pixels = convert_int4(box) - (int4)(square->x, square->y, square->x, square->y);
-    return (int4)(max(pixels.x, 0) / RSH_BLOCK_X, max(pixels.y, 0) / RSH_BLOCK_Y,
-                  min(pixels.z, RSH_SIDE - 1) / RSH_BLOCK_X,
-                  min(pixels.w, RSH_SIDE - 1) / RSH_BLOCK_Y);
+    return (int4)(max(pixels.x, 0) / RSH_LANES_X, max(pixels.y, 0) / RSH_LANES_Y,
+                  min(pixels.z, RSH_SIDE - 1) / RSH_LANES_X,
+                  min(pixels.w, RSH_SIDE - 1) / RSH_LANES_Y);
 }
 
-static bool meets_square(const rsh_square* square, ushort4 box)
+static bool meets_square(const pixel_square* square, ushort4 box)
 {
     const int4 pixels = convert_int4(box);
     return pixels.x <= pixels.z && pixels.x < square->x + RSH_SIDE && pixels.z >= square->x &&
            pixels.y < square->y + RSH_SIDE && pixels.w >= square->y;
 }
 
-static void store_square(const rsh_screen* screen, const rsh_square* square,
+static void store_square(const screen_setup* screen, const pixel_square* square,
                          __global rsh_hit* hits)
 {
     uint x[RSH_WIDTH], y[RSH_WIDTH], primitive[RSH_WIDTH];
     float t[RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
     for (uint b = 0; b < RSH_ROWS * RSH_COLUMNS; ++b) {
-        const rsh_block* block = &square->blocks[b];
-        lane_pixels(square->x + b % RSH_COLUMNS * RSH_BLOCK_X,
-                    square->y + b / RSH_COLUMNS * RSH_BLOCK_Y, x, y);
-        store_lanes(block->best.t, t);
-        store_lanes(block->best.u, u);
-        store_lanes(block->best.v, v);
-        store_lanes(block->best.primitive, primitive);
+        const pixel_lanes* lanes = &square->lanes[b];
+        lane_pixels(square->x + b % RSH_COLUMNS * RSH_LANES_X,
+                    square->y + b / RSH_COLUMNS * RSH_LANES_Y, x, y);
+        store_lanes(lanes->best.t, t);
+        store_lanes(lanes->best.u, u);
+        store_lanes(lanes->best.v, v);
+        store_lanes(lanes->best.primitive, primitive);
         for (uint i = 0; i < RSH_WIDTH; ++i) {
             if (x[i] >= screen->width || y[i] >= screen->height) continue;
             const float far = primitive[i] == RSH_NO_HIT ? screen->forward_far.w : t[i];

@@ -1,5 +1,5 @@
-/* run_compress.h - runs by vector compress (AVX-512F, with DQ and BMI2); see
- * reduce/run.h.
+/* range_compress.h - ranges by vector compress (AVX-512F, with DQ and BMI2); see
+ * reduce/range.h.
  *
  * Sixteen elements are RSH_WORDS vectors of sixteen words. A word is kept if its element is:
  * bit k of kept_lanes, deposited at bit RSH_WORDS * k, times 2^RSH_WORDS - 1, is a mask over
@@ -7,10 +7,10 @@
  * kept:  lanes 101  ->  1 000 001  ->  times 7: 111 000 111. A store under a mask writes the
  * kept words and nothing behind them, so that work-items never meet.
  */
-#ifndef RSH_REDUCE_RUN_COMPRESS_H
-#define RSH_REDUCE_RUN_COMPRESS_H
+#ifndef RSH_REDUCE_RANGE_COMPRESS_H
+#define RSH_REDUCE_RANGE_COMPRESS_H
 
-#include "reduce/run_range.h"
+#include "reduce/stream_range.h"
 
 #ifdef RSH_HAS_COMPRESS
 
@@ -51,11 +51,12 @@ static uint kept_lanes(__global const uint* input, __global const uchar* flags, 
 #endif
 }
 
-static uint count_run(__global const uint* input, __global const uchar* flags, rsh_run run)
+static uint count_range(__global const uint* input, __global const uchar* flags,
+                        stream_range range)
 {
-    uint kept = 0, i = run.begin;
-    for (; i + 16 <= run.end; i += 16) kept += popcount(kept_lanes(input, flags, i));
-    for (; i < run.end; ++i) kept += is_kept(input, flags, i);
+    uint kept = 0, i = range.begin;
+    for (; i + 16 <= range.end; i += 16) kept += popcount(kept_lanes(input, flags, i));
+    for (; i < range.end; ++i) kept += is_kept(input, flags, i);
     return kept;
 }
 
@@ -96,7 +97,7 @@ RSH_DEFINE_PACK(pack_on_stage, , RSH_STORE_ON_STAGE)
 #define RSH_STAGE 1024u /* elements */
 
 /* Packs on a stage in the nearest cache and stores whole lines past the caches: a line that is
- * stored to in place is first read from memory. Lines that begin or end outside of this run's
+ * stored to in place is first read from memory. Lines that begin or end outside of this range's
  * output are stored under a mask. Returns where the output goes on. */
 static __global uint* pack_past_caches(__global const uint* input, __global const uchar* flags,
                                        uint begin, uint end, __global uint* to)
@@ -127,17 +128,17 @@ static __global uint* pack_past_caches(__global const uint* input, __global cons
 /* A stream whose output, if all is kept, outgrows the caches that a core may hope for. */
 static bool is_large(uint length) { return (ulong)RSH_WORDS * length >= RSH_LARGE_WORDS; }
 
-static void pack_run(__global const uint* input, __global const uchar* flags, rsh_run run,
-                     uint kept, __global uint* output, uint at)
+static void pack_range(__global const uint* input, __global const uchar* flags,
+                       stream_range range, uint kept, __global uint* output, uint at)
 {
     if (kept == 0) return;
     __global uint* to = output + (ulong)RSH_WORDS * at;
-    const uint whole = run.begin + (run.end - run.begin) / 16 * 16;
-    if (is_large(run.length))
-        to = pack_past_caches(input, flags, run.begin, whole, to);
+    const uint whole = range.begin + (range.end - range.begin) / 16 * 16;
+    if (is_large(range.length))
+        to = pack_past_caches(input, flags, range.begin, whole, to);
     else
-        to += pack_in_place(input, flags, run.begin, whole, (__global int*)to);
-    for (uint i = whole, k = 0; i < run.end; ++i)
+        to += pack_in_place(input, flags, range.begin, whole, (__global int*)to);
+    for (uint i = whole, k = 0; i < range.end; ++i)
         if (is_kept(input, flags, i)) {
             store_element(load_element(i, input), k, to);
             ++k;

@@ -1,0 +1,113 @@
+/* intersect_ranges.cl - the last level of the engine `paper`: the 16 rays of a block against the
+ * triangles of its range.
+ *   triangles, ranges  in      of the blocks
+ *   hits             in/out  closest so far; at first those of rsh_intersect_ranges_clear
+ *   occlusion        in/out  any: a bit per ray
+ * A work-item owns the rays that it writes, and launches follow each other: no atomics. The one
+ * that finishes ranges does for a tile what the levels below it would have done.
+ */
+#include "bvh/layout.h"
+#include "traverse/paper/intersect_ranges.h"
+#include "traverse/paper/ranges.h"
+#include "traverse/paper/siblings.h"
+
+__kernel void rsh_intersect_ranges_clear(__global const rsh_ray* rays, uint count,
+                                         __global rsh_hit* hits)
+{
+    const uint i = get_global_id(0);
+    if (i >= count) return; /* launch is rounded up to whole groups */
+    hits[i] = (rsh_hit){rays[i].direction_tmax.w, 0.0f, 0.0f, RSH_NO_HIT};
+}
+
+/* A work-item takes the blocks of a tile. */
+__kernel void rsh_intersect_ranges(rsh_levels shape, mesh_view mesh,
+                                   __global const float* vertices, __global const uint* indices,
+                                   __global const rsh_ray* rays, __global const float* bounds,
+                                   __global const float* nodes, __global const uint* triangles,
+                                   __global const uint2* ranges, __global rsh_hit* hits,
+                                   __global uint* occlusion, uint occlusion_bit)
+{
+    const uint me = get_global_id(0);
+    if (me >= tile_count(shape)) return;
+    const rsh_levels levels = shape;
+    const range_target target = {mesh, vertices,  indices,       rays,
+                                 hits, occlusion, occlusion_bit, bounds};
+    const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
+    for (uint b = 0; b < 16; ++b) {
+        const uint node = child_of(&levels, 1, me, b);
+        if (node == RSH_NO_NODE || ranges[node].y == 0) continue;
+        const uint2 range = ranges[node];
+        ray_packet packet;
+        bool is_changed = false;
+        load_target_packet(&target, tile, b, &packet);
+        for (uint i = range.x; i < range.x + range.y; ++i)
+            is_changed |= offer_triangle(&target, &packet, triangles[i]);
+        if (is_changed) store_target_packet(&target, tile, b, &packet);
+    }
+}
+
+/* Triangles that a tile meets are gathered before its blocks are loaded. */
+#define RSH_GATHERED 128
+
+typedef struct gathered_triangles {
+    uint triangle[RSH_GATHERED];
+    ushort met[RSH_GATHERED];
+    uint count;
+} gathered_triangles;
+
+static void intersect_gathered(const range_target* target, ray_tile tile,
+                               const gathered_triangles* gathered)
+{
+    for (uint b = 0; b < 16; ++b) {
+        ray_packet packet;
+        bool is_loaded = false, is_changed = false;
+        for (uint i = 0; i < gathered->count; ++i) {
+            if (!(gathered->met[i] >> b & 1)) continue;
+            if (!is_loaded) load_target_packet(target, tile, b, &packet);
+            is_loaded = true;
+            is_changed |= offer_triangle(target, &packet, gathered->triangle[i]);
+        }
+        if (is_changed) store_target_packet(target, tile, b, &packet);
+    }
+}
+
+/* A work-item takes a tile whose ancestor at step.level + 1 was left over by the stream: its
+ * triangles against the blocks, and the rays of those. groups: of the tiles' children. */
+__kernel void rsh_intersect_ranges_finish(
+    rsh_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
+    __global const uint* indices, __global const rsh_ray* rays, __global const float* bounds,
+    __global const float* groups, __global const uint* triangles, __global const uint2* ranges,
+    __global const uint* sums, __global rsh_hit* hits, __global uint* occlusion,
+    uint occlusion_bit, __global uint* tally)
+{
+    const uint me = get_global_id(0);
+    if (me >= tile_count(shape)) return;
+    const rsh_levels levels = shape;
+    const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
+    if (!is_left_over(step, sums, ancestor)) return;
+    const triangle_range range = range_of_parent(step, ranges, ancestor);
+    const range_target target = {mesh, vertices,  indices,       rays,
+                                 hits, occlusion, occlusion_bit, bounds};
+    const ray_tile tile = tile_at(shape, (__global const uint*)groups, me);
+    sibling_nodes blocks;
+    load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);
+    gathered_triangles gathered;
+    gathered.count = 0;
+    uint pairs = 0;
+    for (uint i = range.begin; i < range.begin + range.count; ++i) {
+        const uint triangle = triangle_at(step, triangles, i);
+        const uint met = siblings_meeting(&blocks, bounds, triangle);
+        if (met) {
+            gathered.triangle[gathered.count] = triangle;
+            gathered.met[gathered.count++] = (ushort)met;
+            pairs += popcount(met);
+        }
+        if (gathered.count < RSH_GATHERED) continue;
+        intersect_gathered(&target, tile, &gathered);
+        gathered.count = 0;
+    }
+    intersect_gathered(&target, tile, &gathered);
+    if (!step.is_counting) return;
+    atomic_add(tally + RSH_TALLY_FINISHED, range.count);
+    atomic_add(tally + RSH_TALLY_FINISHED + 1, pairs);
+}

@@ -1,0 +1,55 @@
+/* intersect_ranges.h - the 16 rays of a block against the triangles of a range, one by one; see
+ * traverse/paper/intersect_ranges.cl. What earlier batches found is taken up again. */
+#ifndef RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
+#define RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
+
+#include "bvh/layout.h"
+#include "traverse/packet16.h"
+
+typedef struct range_target {
+    mesh_view mesh;
+    __global const float* vertices;
+    __global const uint* indices;
+    __global const rsh_ray* rays;
+    __global rsh_hit* hits;
+    __global uint* occlusion;
+    uint occlusion_bit;           /* as a mask; 0: closest hits are wanted */
+    __global const float* bounds; /* ranges name places in their leaves */
+} range_target;
+
+static void load_target_packet(const range_target* target, ray_tile tile, uint b,
+                               ray_packet* packet)
+{
+    load_packet(packet, tile, b, target->rays);
+    if (target->occlusion_bit) return;
+    for (uint k = 0; k < 16; ++k) {
+        const uint i = ray_of(tile, b, k), v = k / RSH_WIDTH, lane = k % RSH_WIDTH;
+        if (i == RSH_NO_RAY || target->hits[i].primitive == RSH_NO_HIT) continue;
+        const rsh_hit hit = target->hits[i];
+        ((float*)&packet->ray[v].tmax)[lane] = hit.t;
+        ((float*)&packet->u[v])[lane] = hit.u;
+        ((float*)&packet->v[v])[lane] = hit.v;
+        ((uint*)&packet->primitive[v])[lane] = hit.primitive;
+    }
+}
+
+/* True if a ray has a closer hit now. */
+static bool offer_triangle(const range_target* target, ray_packet* packet, uint place)
+{
+    const uint triangle = triangle_at_place(target->bounds, place);
+    if (triangle == RSH_NO_HIT) return false;
+    triangle_corners corners;
+    fetch_corners(&corners, target->mesh, target->vertices, target->indices, triangle);
+    return intersect_packet(packet, &corners, triangle, target->occlusion_bit != 0);
+}
+
+static void store_target_packet(const range_target* target, ray_tile tile, uint b,
+                                const ray_packet* packet)
+{
+    if (target->occlusion_bit)
+        store_packet_occlusion(packet, tile, b, target->occlusion, target->occlusion_bit);
+    else
+        store_packet_hits(packet, tile, b, target->hits);
+}
+
+#endif

@@ -1,0 +1,48 @@
+/* ranges.h - the pair stream of the engine `paper`: node-major, a range of triangles per node, so
+ * that a pair is 4 bytes and a node is loaded once. */
+#ifndef RSH_TRAVERSE_PAPER_RANGES_H
+#define RSH_TRAVERSE_PAPER_RANGES_H
+
+#include "rays/group_levels.h"
+#include "traverse/paper/types.h"
+
+typedef struct triangle_range {
+    uint begin, count; /* in the stream of its level */
+} triangle_range;
+
+static triangle_range range_of_parent(range_step step, __global const uint2* ranges,
+                                      uint parent)
+{
+    if (step.is_root) return (triangle_range){0, step.batch_count};
+    const uint2 range = ranges[step.first_parent_range + parent];
+    return (triangle_range){range.x, range.y};
+}
+
+/* Slice `number` of a range. */
+static triangle_range slice_of(triangle_range range, uint number, uint slices)
+{
+    const uint begin = (uint)((ulong)range.count * number / slices);
+    const uint end = (uint)((ulong)range.count * (number + 1) / slices);
+    return (triangle_range){range.begin + begin, end - begin};
+}
+
+static uint triangle_at(range_step step, __global const uint* triangles, uint i)
+{
+    return step.is_root ? step.batch_first + i : triangles[i];
+}
+
+/* Where the survivors of a parent begin, from the sums of the slices before it; sums[all
+ * slices]: how many there are. */
+static uint survivors_before(range_step step, __global const uint* sums, uint parent)
+{
+    return sums[parent * step.slices];
+}
+
+/* The stream cannot hold the survivors of this parent: rsh_intersect_ranges_finish sees to its range. Known
+ * before anything is written. */
+static bool is_left_over(range_step step, __global const uint* sums, uint parent)
+{
+    return survivors_before(step, sums, parent + 1) > step.capacity;
+}
+
+#endif

@@ -1,0 +1,44 @@
+// traverse_ranges.hpp - the launches of the engine `paper`: one level of the stream by count, scan
+// and emit (traverse/paper/traverse_ranges.cl), what it cannot hold, and the rays at its end (traverse/paper/intersect_ranges.cl).
+#pragma once
+
+#include "device/cl/recorder.hpp"
+#include "traverse/paper/types.h"
+
+namespace rsh {
+
+// The pair stream of one traversal: per node a range of triangles.
+struct RangeStreams {
+    cl_uint capacity;     // triangles of a level
+    cl_mem triangles[2];  // of the levels with even and odd numbers
+    cl_mem ranges;        // of all levels, triangle_range
+    cl_mem masks;         // per triangle of the parents, which children it meets
+    cl_mem counts, sums;  // per slice of a parent's range
+    cl_mem tally;         // RSH_TALLY_WORDS
+};
+
+struct RangeLevel {
+    rsh_levels shape;
+    range_step step;
+    cl_mem groups;  // the children of step.first_child_group and on
+};
+
+// The children at level.step.level of the parents above: counted, then written.
+void count_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
+                  const RangeStreams& streams);
+void emit_ranges(Recorder& recorder, const RangeLevel& level, const RangeStreams& streams);
+// Parents whose children do not fit, down to the hits. After the other two.
+void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
+                   const RangeStreams& streams);
+
+// No ray has hit anything yet.
+void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc);
+// The ranges of level 1, that is, of the blocks.
+void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
+                      const rsh_levels& shape, const RangeStreams& streams);
+
+// Nodes of the bound `box` above the tiles, into `upper`, numbered from the first group of the
+// tiles' own level.
+void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper);
+
+}  // namespace rsh
