@@ -149,8 +149,9 @@ static cone_node merge(const cone_node4* quad)
 static cone_node leaf(const rsh_levels* levels, __global const rsh_ray* rays,
                       uint is_converging, uint parent, uint k)
 {
-    if (!child_exists(levels, 0, parent, k)) return RSH_NO_CONE;
-    const rsh_ray ray = rays[child_index(levels, 0, parent, k)];
+    const uint child = child_of(levels, 0, parent, k);
+    if (child == RSH_NO_NODE) return RSH_NO_CONE;
+    const rsh_ray ray = rays[child];
     return is_converging ? reversed_cone(ray) : ray_cone(ray);
 }
 
@@ -173,9 +174,9 @@ __kernel void rsh_build_cones_level(rsh_levels shape, uint level, __global cone_
     cone_node4 quad;
     for (uint k = 0; k < 4; ++k) {
         cone_node node = RSH_NO_CONE;
-        if (child_exists(&levels, level, i, k)) {
-            const cone_node4 children =
-                quads[levels.first_child_group[level - 1] + child_index(&levels, level, i, k)];
+        const uint child = child_of(&levels, level, i, k);
+        if (child != RSH_NO_NODE) {
+            const cone_node4 children = quads[levels.first_child_group[level - 1] + child];
             node = merge(&children);
         }
         set_quad_member(&quad, k, node);

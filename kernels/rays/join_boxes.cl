@@ -5,7 +5,7 @@
  * A work-item makes a group.
  */
 #include "rays/box_node.h"
-#include "rays/group_levels.h"
+#include "rays/levels.h"
 
 /* Rows of a group, see box_node16: low and high of origins, of directions, tmax. */
 static void join_node16(__global const float* in, float* row)

@@ -1,4 +1,5 @@
-/* levels.h - where the nodes of a level lie; see rsh_levels.
+/* levels.h - where the nodes of a level lie, and how they are named on the way down; see
+ * rsh_levels.
  *
  * A kernel that looks up a level which varies copies its rsh_levels argument first: Mesa 22.3's
  * llvmpipe reads arguments at constant offsets only, and crashes at any other.
@@ -8,25 +9,41 @@
 
 #include "rays/types.h"
 
-/* Index, in its level, of child k of node `parent` of level + 1. Worked example, a grid 5 wide:
- * parent 4 of level 1 (3 wide) is (1, 1); its child 1 at level 0 is (3, 2): index 2 * 5 + 3. */
-static uint child_index(const rsh_levels* levels, uint level, uint parent, uint k)
+#define RSH_NO_NODE 0xffffffffu
+
+/* log2 of rsh_levels::branching, which is 2 or 4. */
+static uint branching_bits(const rsh_levels* levels) { return levels->branching / 2; }
+
+/* Index, in its level, of child k of node `parent` of level + 1; RSH_NO_NODE: the level has no
+ * such node. Worked example, a grid 5 wide, branching 2: parent 4 of level 1 (3 wide) is (1, 1);
+ * its child 1 at level 0 is (3, 2): index 2 * 5 + 3. */
+static uint child_of(const rsh_levels* levels, uint level, uint parent, uint k)
 {
-    if (levels->is_list) return 4 * parent + k;
-    const uint x = parent % levels->width[level + 1], y = parent / levels->width[level + 1];
-    return (2 * y + (k >> 1)) * levels->width[level] + 2 * x + (k & 1);
+    const uint bits = branching_bits(levels), width = levels->width[level];
+    if (levels->is_list) {
+        const uint child = (parent << 2 * bits) + k;
+        return child < width ? child : RSH_NO_NODE;
+    }
+    const uint across = levels->width[level + 1];
+    const uint x = (parent % across << bits) + (k & (levels->branching - 1));
+    const uint y = (parent / across << bits) + (k >> bits);
+    return x < width && y < levels->height[level] ? y * width + x : RSH_NO_NODE;
 }
 
-static bool child_exists(const rsh_levels* levels, uint level, uint parent, uint k)
+/* Index, at `level`, of the node that holds node `node` of level `from`; level >= from. Worked
+ * example, a grid, branching 4: column 13 at level 2 is column 3 at level 3. */
+static uint ancestor_of(const rsh_levels* levels, uint from, uint node, uint level)
 {
-    if (levels->is_list) return 4 * parent + k < levels->width[level];
-    const uint x = parent % levels->width[level + 1], y = parent / levels->width[level + 1];
-    return 2 * x + (k & 1) < levels->width[level] && 2 * y + (k >> 1) < levels->height[level];
+    const uint bits = branching_bits(levels) * (level - from);
+    if (levels->is_list) return node >> 2 * bits;
+    const uint x = node % levels->width[from] >> bits;
+    const uint y = node / levels->width[from] >> bits;
+    return y * levels->width[level] + x;
 }
 
-/* While pairs travel down a grid, a node is named by row * 65536 + column: no division on the
- * way from parent to child, both halves double. In a list the name is the index. Rays, at level
- * 0, go by their index at last. */
+/* The pairs of the engine `paper_faithful`, whose nodes have four children, name nodes of a grid
+ * by row * 65536 + column: no division on the way from parent to child, both halves double. In
+ * a list the name is the index. Rays, at level 0, are named by their index at last. */
 static uint quad_index(const rsh_levels* levels, uint level, uint node)
 {
     const uint first = levels->first_child_group[level];

@@ -3,7 +3,7 @@
 #ifndef RSH_TRAVERSE_PAPER_RANGES_H
 #define RSH_TRAVERSE_PAPER_RANGES_H
 
-#include "rays/group_levels.h"
+#include "rays/levels.h"
 #include "traverse/paper/types.h"
 
 typedef struct triangle_range {
