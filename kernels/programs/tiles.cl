@@ -1,6 +1,7 @@
 /* tiles.cl - what the engine `tiles` launches, as one program; see programs/paper_faithful.cl
  * for why. */
 #include "bvh/leaves.cl"
+#include "bvh/nodes.cl"
 #include "bvh/order.cl"
 #include "bvh/refit.cl"
 #include "order/sort.cl"
