@@ -13,10 +13,6 @@
 #include "bvh/leaf_cuts.h"
 #include "bvh/leaves.h"
 
-/* What a node costs besides its surface, as a part of the scene's by the number of leaves.
- * With none, rays open up to 5 % fewer, of a fifth more nodes. */
-#define RSH_TREE_NODE_COST 8.0f
-
 /* A node of its own only above so many leaves: see bvh/collapse16.h. */
 #define RSH_LEAST_LEAVES 9
 

@@ -12,14 +12,9 @@
 #define RSH_BVH_LEAF_CUTS_H
 
 #include "mesh/boxes16.h"
+#include "tuning.h"
 
 #define RSH_LEAST_RANGE 8
-#define RSH_MEAN_RANGE 14.0f /* about */
-
-/* Boxes looked at at once. Cuts far from the end do not depend on what follows; the last two
- * ranges wait for it. */
-#define RSH_WINDOW 192
-#define RSH_OPEN_RANGES 2
 
 /* Boxes in a row, and their ranges from the first on. */
 typedef struct box_row {

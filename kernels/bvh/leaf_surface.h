@@ -5,12 +5,7 @@
 #include "bvh/leaf_cuts.h"
 #include "bvh/leaves.h"
 #include "order/sort.h"
-
-/* What a range costs besides its surface, as a part of the scene's by the number of ranges. The
- * mean surface of leaves is 3 to 9 times that; between a tenth and two thirds of it, what
- * rays open hardly changes. */
-#define RSH_LEAF_COST 1.5f
-#define RSH_RANGE_NODE_COST (RSH_MEAN_RANGE * RSH_LEAF_COST) /* the same of nodes */
+#include "tuning.h"
 
 /* The surface of the scene's box by the number of leaves, about; never 0, so that a leaf always
  * costs something. */

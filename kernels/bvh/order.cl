@@ -12,17 +12,7 @@
 #include "bvh/refit_quality.h"
 #include "order/hilbert.h"
 #include "order/sort.h"
-
-/* Longest side of a large triangle's box, of that of the scene. */
-#define RSH_LARGE 0.125f
-
-/* Bits of a cell's side where cells are sorted on. */
-#define RSH_FINE_BITS 7
-
-/* Neighbours on a surface share their boxes' surface; strangers span the space between them. Of
- * ranges of 16, a sixth is above this in meshes of grids, a third and more in what was modelled
- * part by part. */
-#define RSH_INCOHERENT_SURFACE 1.5f
+#include "tuning.h"
 
 static void sample_triangles(const boxes16* boxes, sample_bounds* bounds)
 {
@@ -87,10 +77,9 @@ typedef struct key_grid {
     uint bin_shift;
 } key_grid;
 
-/* Some ranges always are: those that end one object and begin the next. */
 static bool triangles_are_incoherent(sample_bounds bounds)
 {
-    return bounds.incoherent > bounds.sampled / 4;
+    return bounds.incoherent > RSH_INCOHERENT_TRIANGLES(bounds.sampled);
 }
 
 static key_grid grid_of(__global const sample_bounds* samples, uint cell_bits)

@@ -8,14 +8,7 @@
 #define RSH_BVH_PLOC_H
 
 #include "bvh/binary_tree.h"
-
-/* How far in the row a box looks for another, to both sides. Two places do for all scenes but
- * one, whose bundles open half as many boxes again; 8 and 16 gain nothing. */
-#define RSH_SEARCH_RADIUS 4
-
-/* After so many rounds, neighbours become one whatever they are: rows of boxes that each would
- * have the next one, which would have the one after it, take a round for every two. */
-#define RSH_NEAREST_ROUNDS 12
+#include "tuning.h"
 
 /* Boxes side by side that have none above them yet. */
 typedef struct active_nodes {

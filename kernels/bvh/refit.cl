@@ -8,9 +8,7 @@
  */
 #include "bvh/leaves.h"
 #include "order/types.h"
-
-/* Leaves on from the one that is fitted. */
-#define RSH_AHEAD 3
+#include "tuning.h"
 
 /* Returns whether mesh/intersect.h has any of the triangles to scale. */
 static bool refit_leaf(mesh_view mesh, __global const float* vertices,

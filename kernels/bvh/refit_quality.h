@@ -4,11 +4,7 @@
 #define RSH_BVH_REFIT_QUALITY_H
 
 #include "bvh/leaves.h"
-
-/* An order is worn when its boxes have so many times the surface they had when it was made,
- * against that of their triangles, which turn and grow themselves. Rays meet boxes by their
- * surface; above this, tracing loses more than sorting costs. */
-#define RSH_DEGRADED 1.2f
+#include "tuning.h"
 
 /* Of boxes that hold something, added up. */
 static float surface_of_boxes(const boxes16* boxes)

@@ -5,6 +5,7 @@
 
 #include "lanes/sixteen.h"
 #include "order/types.h"
+#include "tuning.h"
 
 typedef struct range16 {
     uint begin, end;
@@ -47,8 +48,6 @@ static void store_keys(const uint* key, uint sixteen, uint count, uint bin_shift
 
 /* So many groups a work-item looks at before all elements get keys; those take what lies
  * outside of these groups for their margin. */
-#define RSH_SAMPLES 64
-
 static uint sampling_step(range16 range) { return 1 + (range.end - range.begin) / RSH_SAMPLES; }
 
 static sample_bounds empty_bounds(void)

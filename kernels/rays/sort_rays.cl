@@ -9,13 +9,7 @@
 #include "order/hilbert.h"
 #include "order/sort.h"
 #include "rays/ray_block.h"
-
-/* Bits of a coordinate; RSH_RAY_CELL_BITS of them make the cell. */
-#define RSH_RAY_BITS 7
-
-/* A range is incoherent if its origins span more than this of what all do, or, where all start in one
- * point, its directions of what those can. */
-#define RSH_INCOHERENT_EXTENT 0.25f
+#include "tuning.h"
 
 static ray_tile list_of(uint count, uint sixteen)
 {
@@ -116,7 +110,7 @@ __kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint count,
     const uint me = get_global_id(0), bin_shift = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
     uint2 sum = (uint2)(0);
     for (uint i = 0; i < get_global_size(0); ++i) sum += sampled[i];
-    const bool is_needed = sum.y > sum.x / 2;
+    const bool is_needed = sum.y > RSH_INCOHERENT_RAYS(sum.x);
     if (me == 0) *sorting = (sort_plan){is_needed, bin_shift};
     if (!is_needed) return;
     const range16 mine = my_range16(count);

@@ -5,6 +5,7 @@
  * The fallback where local memory or barriers cannot be trusted.
  */
 #include "reduce/range.h"
+#include "tuning.h"
 
 __kernel void rsh_reduce_chunk_count(RSH_STREAM, __global uint* counts)
 {
@@ -22,9 +23,6 @@ __kernel void rsh_reduce_chunk_write(RSH_STREAM, __global const uint* counts,
     if (me == items - 1) output_count[output_index] = at + counts[me];
     pack_range(input, flags, item_range(me, items, RSH_LENGTH), counts[me], output, at);
 }
-
-/* Elements that are counted and then, still in the nearest cache, packed. */
-#define RSH_CACHED_RANGE 2048u
 
 /* A short stream in one launch, by one work-item. */
 __kernel void rsh_reduce_chunk_alone(RSH_STREAM, __global uint* output,

@@ -13,10 +13,7 @@
  *   states[2 + 2 t]  1 + those of tiles 0 .. t;        0: not known yet
  */
 #include "reduce/tile.h"
-
-#ifndef RSH_PATIENCE
-#define RSH_PATIENCE 10000
-#endif
+#include "tuning.h"
 
 static uint read_state(volatile __global uint* word) { return atomic_add(word, 0); }
 

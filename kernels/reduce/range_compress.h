@@ -11,12 +11,9 @@
 #define RSH_REDUCE_RANGE_COMPRESS_H
 
 #include "reduce/stream_range.h"
+#include "tuning.h"
 
 #ifdef RSH_HAS_COMPRESS
-
-#ifndef RSH_LARGE_WORDS
-#define RSH_LARGE_WORDS 0x800000u /* 32 MB */
-#endif
 
 #if RSH_WORDS == 1
 #define RSH_FIRST_WORDS 0xffffUL
@@ -83,18 +80,15 @@ static uint count_range(__global const uint* input, __global const uchar* flags,
 
 #define RSH_LOW_LANES(count) ((ushort)((1u << (count)) - 1))
 
-/* In place. Lines that will be written soon are asked for by then: otherwise each store waits
- * for its line in turn, which costs 5 to 8 % where most is kept. */
-#define RSH_STORE_IN_PLACE(packed, taken, to) \
-    __builtin_prefetch((to) + 128, 1, 3);     \
+/* In place. Lines that will be written soon are asked for by then. */
+#define RSH_STORE_IN_PLACE(packed, taken, to)         \
+    __builtin_prefetch((to) + RSH_STORE_AHEAD, 1, 3); \
     __builtin_ia32_storedqusi512_mask(to, packed, RSH_LOW_LANES(taken))
 RSH_DEFINE_PACK(pack_in_place, __global, RSH_STORE_IN_PLACE)
 
 /* On a stage of one's own, where what lies behind the taken words does not matter. */
 #define RSH_STORE_ON_STAGE(packed, taken, to) vstore16(packed, 0, to)
 RSH_DEFINE_PACK(pack_on_stage, , RSH_STORE_ON_STAGE)
-
-#define RSH_STAGE 1024u /* elements */
 
 /* Packs on a stage in the nearest cache and stores whole lines past the caches: a line that is
  * stored to in place is first read from memory. Lines that begin or end outside of this range's
@@ -125,7 +119,6 @@ static __global uint* pack_past_caches(__global const uint* input, __global cons
     return (__global uint*)line + filled;
 }
 
-/* A stream whose output, if all is kept, outgrows the caches that a core may hope for. */
 static bool is_large(uint length) { return (ulong)RSH_WORDS * length >= RSH_LARGE_WORDS; }
 
 static void pack_range(__global const uint* input, __global const uchar* flags,

@@ -3,8 +3,7 @@
 #define RSH_REDUCE_STREAM_RANGE_H
 
 #include "reduce/element.h"
-
-#define RSH_RANGE_STEP 64u
+#include "tuning.h"
 
 typedef struct stream_range {
     uint begin, end;

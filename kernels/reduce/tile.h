@@ -8,8 +8,7 @@
 
 #include "reduce/range.h"
 #include "reduce/scan.h"
-
-#define RSH_PER_ITEM 4u
+#include "tuning.h"
 
 typedef struct tile_rank {
     uint kept;   /* bit k: my element k is kept                            */

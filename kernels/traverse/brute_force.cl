@@ -4,8 +4,8 @@
  * A work-item holds RSH_VECTORS_PER_ITEM vectors of rays while the triangles stream past.
  */
 #include "mesh/intersect.h"
+#include "tuning.h"
 
-#define RSH_VECTORS_PER_ITEM 4
 #define RSH_RAYS_PER_ITEM (RSH_VECTORS_PER_ITEM * RSH_WIDTH)
 
 /* Rays behind the end, and inactive ones, get an empty interval. */

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reduce/strategy.hpp"
+#include "tuning.h"
 
 namespace rsh {
 
@@ -40,17 +41,18 @@ inline cl_uint group_items(const Context& context) {
     return static_cast<cl_uint>(context.caps.group_size);
 }
 
-// Elements that a group works off at a time: RSH_PER_ITEM of reduce/tile.h per work-item.
+// Elements that a group works off at a time.
 inline cl_uint group_tile(const Context& context) {
-    return 4 * group_items(context);
+    return RSH_PER_ITEM * group_items(context);
 }
 
 // Elements that a single item counts and then packs out of the cache: 128 KB, but enough tiles
-// for all cores to end at about the same time. A multiple of RSH_RANGE_STEP of reduce/range.h.
+// for all cores to end at about the same time. A multiple of RSH_RANGE_STEP, as reduce/range.h
+// asks for.
 inline cl_uint item_tile(const Context& context, const ReduceShape& shape) {
     const cl_uint fair = shape.count / (8 * context.caps.compute_units);
     const cl_uint most = (128u << 10) / shape.element_bytes;
-    return std::clamp(fair, 4096u, std::max(most, 4096u)) / 64 * 64;
+    return std::clamp(fair, 4096u, std::max(most, 4096u)) / RSH_RANGE_STEP * RSH_RANGE_STEP;
 }
 
 // Local memory: a word per work-item for prefix sums, `more` behind them.

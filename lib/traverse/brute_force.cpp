@@ -3,13 +3,10 @@
 #include "mesh/mesh.hpp"
 #include "rays/levels.hpp"
 #include "traverse/intersect.hpp"
+#include "tuning.h"
 
 namespace rsh {
-namespace {
-
-constexpr cl_uint kVectorsPerItem = 4;  // RSH_VECTORS_PER_ITEM of traverse/brute_force.cl
-
-}  // namespace
+namespace {}  // namespace
 
 Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&,
                            SceneBounds) const {
@@ -19,7 +16,7 @@ Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&,
 void BruteForce::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const rsh_geometry& geometry = desc.geometry;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
-    const size_t rays_per_item = size_t{kVectorsPerItem} * recorder.context().vector_width;
+    const size_t rays_per_item = size_t{RSH_VECTORS_PER_ITEM} * recorder.context().vector_width;
     recorder.launch(RSH_STAGE_INTERSECT, {"traverse/brute_force", "rsh_brute_force"},
                     recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
                     mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,

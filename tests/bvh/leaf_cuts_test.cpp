@@ -8,6 +8,7 @@
 
 #include "bvh/box_checks.hpp"
 #include "bvh/types.h"
+#include "tuning.h"
 
 namespace {
 
@@ -106,7 +107,7 @@ double least_cost(const test::Mesh& mesh, const std::vector<uint32_t>& order,
     return least.back();
 }
 
-// As many as the kernel looks at at once. The cost is that of bvh/leaves.cl.
+// As many as the kernel looks at at once.
 TEST(BoxCuts, HaveTheLeastSurface) {
     for (const uint32_t seed : {22u, 23u, 24u, 25u}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -115,7 +116,7 @@ TEST(BoxCuts, HaveTheLeastSurface) {
         const test::Mesh mesh = test::random_soup(random, count, 0.1f);
         const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(mesh));
         const double scene = sides_of(mesh, bvh.order.data(), count).surface();
-        const double leaf_cost = 1.5 * scene / (count / 14.0);
+        const double leaf_cost = RSH_LEAF_COST * scene / (count / RSH_MEAN_RANGE);
         double cost = 0;
         uint32_t leaves = 0;
         for (const bvh_leaf& leaf : bvh.leaves) {

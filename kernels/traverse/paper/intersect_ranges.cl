@@ -10,6 +10,7 @@
 #include "traverse/paper/intersect_ranges.h"
 #include "traverse/paper/ranges.h"
 #include "traverse/paper/siblings.h"
+#include "tuning.h"
 
 __kernel void rsh_intersect_ranges_clear(__global const rsh_ray* rays, uint count,
                                          __global rsh_hit* hits)
@@ -45,9 +46,6 @@ __kernel void rsh_intersect_ranges(rsh_levels shape, mesh_view mesh,
         if (is_changed) store_target_packet(&target, tile, b, &packet);
     }
 }
-
-/* Triangles that a tile meets are gathered before its blocks are loaded. */
-#define RSH_GATHERED 128
 
 typedef struct gathered_triangles {
     uint triangle[RSH_GATHERED];

@@ -5,9 +5,7 @@
 
 #include "traverse/tiles/descend_ray.h"
 #include "traverse/tiles/leaf.h"
-
-/* So many rays go on alone; more, where boxes that the block meets were met by none of them. */
-#define RSH_SPLIT_RAYS 3
+#include "tuning.h"
 
 /* A block on its way. */
 typedef struct block_packet {

@@ -3,9 +3,7 @@
 #define RSH_TRAVERSE_TILES_LEAF_H
 
 #include "traverse/tiles/state.h"
-
-/* Up to so many triangles of a leaf are tested without asking which rays meet it. */
-#define RSH_FEW_TRIANGLES 2
+#include "tuning.h"
 
 typedef struct loaded_leaf {
     __global const float* corners; /* see bvh_leaf */

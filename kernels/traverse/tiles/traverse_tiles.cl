@@ -12,18 +12,7 @@
  */
 #include "traverse/tiles/descend_packet.h"
 #include "traverse/tiles/packet_cost.h"
-
-/* So many blocks go on alone; more, where boxes that all blocks together meet were met by none
- * of them. */
-#define RSH_SPLIT_BLOCKS 2
-
-/* In leaves met, the measure of traverse/tiles/packet_cost.h: what going down the boxes costs besides what is
- * met there, for blocks and for a ray. */
-#define RSH_PACKET_COST 40.0f
-#define RSH_RAY_COST 8.0f
-
-/* Rays of a block that fill this much of the scene have no order of boxes in common. */
-#define RSH_INCOHERENT_SHARE 0.1f
+#include "tuning.h"
 
 /* Blocks of the tile that go down the boxes together. */
 typedef struct tile_packet {
