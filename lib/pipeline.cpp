@@ -7,11 +7,12 @@
 // that is frame/memory.cpp.
 #include "pipeline.hpp"
 
-#include "bvh/bound.hpp"
+#include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
+#include "device/cl/wrong_buffers.hpp"
 #include "device/error.hpp"
 #include "frame/memory.hpp"
-#include "rays/build.hpp"
+#include "rays/node_shape.hpp"
 #include "shade/clear_colour.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
@@ -26,6 +27,7 @@ public:
         : recorder_(recorder), desc_(desc), memory_(recorder, desc) {}
 
     void render() {
+        if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         rasterize(recorder_, memory_.rasterize());
         if (memory_.traces_rays()) bound(recorder_, memory_.bound());
         begin_image();
@@ -48,7 +50,7 @@ private:
         if (!count_wave(bounce + 1)) return;
         report_progress();
         build(recorder_, memory_.build(bounce + 1));
-        traverse(memory_.traverse(bounce + 1));
+        traverse(recorder_, memory_.traverse(bounce + 1));
         shade_wave(bounce + 1);
         spawn_waves(bounce + 1);
     }
@@ -65,7 +67,7 @@ private:
             if (!(desc_.scene->shadow_lights >> light & 1)) continue;
             spawn(recorder_, memory_.spawn_shadow(bounce, light));
             build(recorder_, memory_.build_shadow(light));
-            traverse(memory_.traverse_shadow(light));
+            traverse(recorder_, memory_.traverse_shadow(light));
         }
         count_later([bounce](rsh_statistics& sums, const cl_uint* count) {
             sums.shadow_rays[bounce] += *count;
@@ -80,11 +82,6 @@ private:
             [](rsh_statistics& sums, const cl_uint* count) { sums.active_rays[0] += *count; });
     }
 
-    void traverse(const rsh_traverse_desc& pass) {
-        find_engine(pass.engine).traverse(recorder_, pass);
-        recorder_.context().statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
-    }
-
     bool has(rsh_features feature) const { return (desc_.scene->features & feature) != 0; }
 
     void clear_active_count() {
@@ -92,11 +89,14 @@ private:
     }
 
     // The one place where a frame waits for the device: an empty wave ends its branch of the
-    // tree.
+    // tree, and bounds that were none end the frame.
     bool count_wave(cl_uint bounce) {
-        const cl_uint count = recorder_.read_now(memory_.active_count());
-        recorder_.context().statistics.add(
-            [bounce, count](rsh_statistics& sums) { sums.active_rays[bounce] += count; });
+        recorder_.copy_word(recorder_.wrong_buffers(), memory_.active_count(), 1);
+        const auto [count, wrong_buffers] = recorder_.read_now(memory_.active_count());
+        require_right_buffers(wrong_buffers);
+        recorder_.context().statistics.add([bounce, count = count](rsh_statistics& sums) {
+            sums.active_rays[bounce] += count;
+        });
         return count > 0;
     }
 

@@ -1,34 +1,50 @@
 /* rsh.h - ray tracing with a hierarchy over the rays, and stream reduction, in portable OpenCL.
  *
- * The scene is never preprocessed: rsh_rasterize finds what the camera sees, rsh_spawn makes
- * the secondary rays, rsh_build bounds them bottom-up in a pyramid of nodes, rsh_traverse
- * pushes all triangles down that pyramid and keeps the closest hits, rsh_shade turns hits into
- * colour. rsh_frame is that loop, made of the same calls. Idea and pipeline: Roger, Assarsson,
- * Holzschuch, "Whitted Ray-Tracing for Dynamic Scenes using a Ray-Space Hierarchy on the GPU",
- * EGSR 2007; stream reduction: the same authors, "Efficient Stream Reduction on the GPU", GPGPU
- * 2007.
+ * rsh_rasterize finds what the camera sees, rsh_spawn makes the secondary rays, rsh_bound bounds
+ * the scene, rsh_build the rays, rsh_traverse finds the closest hits by both, rsh_shade turns
+ * hits into colour. rsh_frame is that loop, made of the same calls. Two ways to traverse:
+ *
+ *   tiles   (the default) rays in packets of 16 x 16, bounded by the hierarchy over the rays, go
+ *           front to back through a 16-wide bounding volume hierarchy (BVH16) of the scene,
+ *           which rsh_bound makes anew or refits every frame, in time linear in the triangles;
+ *   paper_faithful   the method of the paper: spheres around the triangles, no hierarchy on the
+ *           scene's side; a stream of (triangle, node) pairs goes down the hierarchy over the
+ *           rays, with a stream reduction per level.
+ *
+ * Paper: Roger, Assarsson, Holzschuch, "Whitted Ray-Tracing for Dynamic Scenes using a Ray-Space
+ * Hierarchy on the GPU", EGSR 2007; stream reduction: the same authors, "Efficient Stream
+ * Reduction on the GPU", GPGPU workshop 2007.
  *
  * Rules for all functions
  *
  *   Ownership  The caller owns cl_context, cl_device_id, cl_command_queue, cl_mem and cl_event.
  *              Buffers are used while the enqueued commands run and must live until then; none
  *              is retained afterwards. To pass a part of a buffer, pass an OpenCL sub-buffer.
- *   Structs    Descriptors start with struct_size = sizeof the struct; a member that is zero or
- *              NULL takes its default. They grow only at the end: any size from that of version
- *              0.1 to the library's own is taken, and members that the caller lacks count as
- *              zero. A larger one is RSH_INVALID_VALUE: the library is older than the header.
- *              The same holds for rsh_scene, rsh_sizes and rsh_statistics. rsh_geometry,
- *              rsh_camera and the structs in buffers have no struct_size and never grow. Host
- *              data that descriptors point at (a scene, a wait list) is read before the call
- *              returns.
+ *   Growth     Descriptors, rsh_scene, rsh_sizes, rsh_statistics and rsh_selftest start with
+ *              struct_size = sizeof the struct; a member that is zero or NULL takes its default.
+ *              They grow only at the end: any size from that of version 0.1 to the library's own
+ *              is taken, and members that the caller lacks count as zero. A larger one is
+ *              RSH_INVALID_VALUE: the library is older than the header. rsh_geometry and the
+ *              structs of rsh_types.h have no struct_size and never change size; their
+ *              `reserved` words must be 0. Host data that descriptors point at (a scene, a wait
+ *              list) is read before the call returns.
+ *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
+ *              they were made for, and a traversal looks at that on the device. Where bounds or
+ *              nodes were made for another shape, another number of triangles or other rays, or
+ *              not at all, the traversal finds no hits, touches nothing else, and leaves a mark
+ *              that rsh_device_status and rsh_get_statistics report; rsh_frame, which waits
+ *              for the device anyway, returns RSH_INVALID_VALUE. What the caller writes into them afterwards is not found out.
+ *   Overlap    Memory that a call writes (outputs, scratch) must not overlap other memory that
+ *              it reads or writes: RSH_INVALID_VALUE. Sub-buffers are compared by their parent
+ *              and range. Members that are marked in/out are one piece of memory.
  *   Async      A function with (wait_count, wait_list, done) only enqueues: it waits for no
  *              event, flushes nothing, reads nothing back. *done, if `done` is not NULL, is a
  *              valid event of the caller's that ends after everything the call enqueued, also
  *              when there was nothing to do; after a failure it is NULL if nothing was
  *              enqueued, else as ever: until then commands use the call's buffers. As in
  *              OpenCL, `done` must not point into wait_list. In-order and out-of-order queues
- *              both work. rsh_frame, rsh_get_statistics, rsh_device_selftest and
- *              rsh_create_context may block, and say so.
+ *              both work. rsh_frame, rsh_get_statistics, rsh_device_status,
+ *              rsh_device_selftest and rsh_create_context may block, and say so.
  *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no
  *              buffer: those may be NULL or too small. It does no device work.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
@@ -109,6 +125,12 @@ RSH_API cl_uint rsh_version(void);
 /* Programs, kernels and scratch memory for one device of one OpenCL context. */
 typedef struct rsh_context_s* rsh_context;
 
+/* Called with one line about what a call does that takes long or falls back: a program compiled
+ * or loaded from disk and how long that took, a strategy that the self-test masked. From the
+ * calling thread, which may be any and several at once; must not call rsh on that context. The
+ * text is gone when it returns. */
+typedef void (*rsh_log)(const char* message, void* user);
+
 typedef struct rsh_context_desc {
     size_t struct_size;
     cl_context context;     /* retained until release */
@@ -119,6 +141,8 @@ typedef struct rsh_context_desc {
                                "": none */
     const char* kernel_dir; /* kernel sources, while developing; NULL: RSH_KERNEL_DIR, else the
                                embedded ones */
+    rsh_log log;            /* NULL: silence */
+    void* log_user;         /* handed to `log`; must live as long as the context */
 } rsh_context_desc;
 
 /* Makes a context. Compiles nothing: a program is built by the first call that needs it, which
@@ -140,10 +164,10 @@ RSH_API rsh_status rsh_find_device(const char* name, cl_platform_id* platform,
 
 /* ---- statistics ---- */
 
-/* The paper's repartition of a frame's time. */
+/* Where a frame's time goes, in the paper's stages. */
 enum {
     RSH_STAGE_RASTERIZE = 0, /* primary rays and hits                              */
-    RSH_STAGE_BOUND = 1,     /* bounds of the triangles                            */
+    RSH_STAGE_BOUND = 1,     /* bounds of the scene                                */
     RSH_STAGE_SPAWN = 2,     /* secondary and shadow rays                          */
     RSH_STAGE_BUILD = 3,     /* the hierarchy                                      */
     RSH_STAGE_TEST = 4,      /* triangles against nodes                            */
@@ -177,7 +201,9 @@ typedef struct rsh_statistics {
     cl_ulong shadow_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: shadow rays cast at the hits of
                                                   that bounce                                */
     cl_ulong scratch_bytes;                    /* in the context's pool                      */
+    cl_ulong wrong_buffers;                    /* RSH_WRONG_... bits of all traversals         */
 } rsh_statistics;
+
 
 /* Starts (enabled = 1) or stops counting on this context, from zero. Counting keeps the event
  * of every command and reads counts back; without it, neither happens. Does not wait: what was
@@ -188,6 +214,12 @@ RSH_API rsh_status rsh_count_statistics(rsh_context context, cl_bool enabled);
  * but not the calls of other threads. Commands that failed count as launches and nothing more.
  * Set statistics->struct_size first. */
 RSH_API rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics);
+
+/* RSH_INVALID_VALUE, and a text that says which, when a traversal on this context met bounds or
+ * nodes that were not made for it, since the last call of rsh_device_status; else RSH_SUCCESS.
+ * BLOCKS until the commands enqueued on `queue` before have ended; traversals on other queues
+ * count if they have ended by then. */
+RSH_API rsh_status rsh_device_status(rsh_context context, cl_command_queue queue);
 
 /* ---- what a scene needs ---- */
 
@@ -212,6 +244,8 @@ typedef struct rsh_geometry {
                                      vertices 3i, 3i + 1, 3i + 2                          */
     cl_ulong indices_offset;      /* bytes, a multiple of 4                               */
     cl_uint triangle_count;       /* below 2^28 */
+    cl_uint reserved[7];          /* 0; for 16-bit indices, masks and ids of several meshes */
+    cl_mem reserved_buffers[4];   /* NULL; likewise */
 } rsh_geometry;
 
 /* Geometry with everything that shading reads. All arrays live in device buffers, so a moving
@@ -284,53 +318,55 @@ RSH_API rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
                                  const rsh_rasterize_desc* desc, cl_uint wait_count,
                                  const cl_event* wait_list, cl_event* done);
 
-/* ---- bounds ---- */
+/* ---- the scene's side ---- */
 
-/* The shape that encloses rays in a node, and what it is tested against on the scene's side. */
+/* The shape of the nodes over the rays, and with it what they are tested against on the scene's
+ * side. */
 enum {
-    RSH_BOUND_DEFAULT = 0, /* box */
-    RSH_BOUND_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
+    RSH_SHAPE_DEFAULT = 0, /* box */
+    RSH_SHAPE_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
                               around the triangles                                            */
-    RSH_BOUND_BOX = 2      /* a box of origins and a box of directions, against boxes around
-                              triangles and around clusters of them                           */
+    RSH_SHAPE_BOX = 2      /* a box of origins and a box of directions, against the BVH16 of the
+                              scene                                                           */
 };
 
-/* What the bounds of a scene hold before, and are for. Hits are the same. */
+/* How bounds are made. Hits are the same. */
 enum {
-    RSH_UPDATE_NONE = 0, /* nothing; for this frame alone: made quickly */
-    RSH_UPDATE_NEXT = 1, /* what was made in an earlier frame, untouched since: its order stays
-                            while it serves; it is made anew, as the first, when it is worn, and
-                            when the buffer holds anything but bounds of so many triangles */
-    RSH_UPDATE_FIRST = 2 /* nothing; to be kept, for updates or for many frames of a scene that
-                            stands still: made with more care */
+    RSH_BOUND_FAST = 0,   /* anew, quickly: for one frame                                     */
+    RSH_BOUND_REFIT = 1,  /* as made in an earlier frame into the same buffer: which triangles
+                             are together stays, the boxes are fitted to where they are now. Made
+                             anew, as with QUALITY, where the boxes have grown too much, or were
+                             made of another number of triangles. A buffer without bounds gets
+                             some as well, and is reported as RSH_WRONG_BOUNDS: begin with
+                             QUALITY                                                          */
+    RSH_BOUND_QUALITY = 2 /* anew, with more care: for bounds that are kept, to be refitted or for
+                             many frames of a scene that stands still                         */
 };
 
 typedef struct rsh_bound_desc {
     size_t struct_size;
     rsh_geometry geometry;
-    cl_uint bound; /* RSH_BOUND_... */
-    cl_mem bounds; /* out, with `update` in/out: rsh_sizes.output_bytes.
-                      cone: triangle_count x float4, centre and radius [world];
-                            radius -1: the triangle is never hit.
-                      box:  triangles in clusters, and boxes around these, for rsh_traverse   */
+    cl_uint shape;  /* RSH_SHAPE_... */
+    cl_mem bounds;  /* out, with RSH_BOUND_REFIT in/out: rsh_sizes.output_bytes               */
     cl_mem scratch; /* box */
-    cl_uint update; /* box: RSH_UPDATE_...; cone: changes nothing */
+    cl_uint mode;   /* box: RSH_BOUND_...; cone: changes nothing                              */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
  * frame.
  *
- * box:     triangles are put in the order of a Hilbert curve, large ones first; runs of 8 to 16
- *          make a cluster, and of clusters a group, cut where their boxes are smallest. Meshes
- *          whose triangles lie close to those before them in the index take two thirds of the
- *          time. RSH_UPDATE_FIRST: groups come out of a binary tree over the clusters; a fourth
- *          more time, and rays with little in common take up to a fifth less. RSH_UPDATE_NEXT:
- *          clusters and groups stay, and boxes are fitted to where the triangles are now: two
- *          fifths of the time. An order is worn where its boxes, at up to 320 places, have 1.2
- *          times the surface that they had, against that of their triangles; then it is made
- *          anew in the same call. The device decides.
+ * cone:    a sphere per triangle.
+ * box:     a BVH16. Triangles are put in the order of a Hilbert curve, large ones first; the
+ *          curve is cut into leaves of 8 to 16 where boxes are smallest. Meshes whose triangles
+ *          lie close to those before them in the index take two thirds of the time.
+ *          FAST: 8 to 16 leaves, or nodes, in a row make a node. QUALITY: leaves are paired with
+ *          their nearest neighbours (PLOC, Meister and Bittner 2018), and nodes of 16 are taken
+ *          out of that binary tree by their surface; a fourth more time, and rays with little in
+ *          common take up to a fifth less. REFIT: two fifths of the time of FAST. The surface of
+ *          boxes at up to 320 places, relative to that of their triangles, decides on the device
+ *          whether to make them anew in the same call: from 1.2 times what it was.
  * Cost:    linear in the triangles. output_bytes of the query: cone 16, box about 55 per
- *          triangle; scratch_bytes: box about 9, 14 with RSH_UPDATE_FIRST and _NEXT. */
+ *          triangle; scratch_bytes: box about 9, 14 with QUALITY and REFIT. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,
@@ -344,19 +380,17 @@ typedef struct rsh_build_desc {
     cl_mem rays;      /* in: width * height x rsh_ray                                         */
     cl_uint width;    /* rays in screen order, row by row; a list of `width` rays: height 1 */
     cl_uint height;   /* at most 16384 x 16384 for a grid; 0: 1, a list of at most 2^28       */
-    cl_mem nodes;     /* out: rsh_sizes.output_bytes; layout: rsh_levels, rsh_node_quad (cone),
-                         rsh_node_group (box)                                                 */
+    cl_mem nodes;     /* out: rsh_sizes.output_bytes                                          */
     cl_uint converging; /* 1: the rays run towards one point, where t = 1, as shadow rays of a
                          point light do; then nodes bound them from there, backwards, which
                          leaves far fewer pairs. Rays with tmax above 1 are found all the same,
                          slowly. 0: nodes bound them from their origins */
-    cl_uint bound;    /* RSH_BOUND_... */
+    cl_uint shape;    /* RSH_SHAPE_... */
     cl_mem scratch;   /* box, lists */
 } rsh_build_desc;
 
-/* Fills *levels (may be NULL) and the sizes. */
 RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc,
-                                   rsh_sizes* sizes, rsh_levels* levels);
+                                   rsh_sizes* sizes);
 
 /* Builds the hierarchy over the rays, bottom-up (Roger et al. 2007, step 2).
  *
@@ -375,14 +409,14 @@ RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
 enum {
     RSH_ENGINE_DEFAULT = 0,        /* tiles                                                   */
     RSH_ENGINE_PAPER_FAITHFUL = 1, /* breadth first, a stream of pairs, a reduction per level;
-                                      every triangle starts at the root; bound: cone          */
+                                      every triangle starts at the root; shape: cone          */
     RSH_ENGINE_BRUTE_FORCE = 2,    /* every ray against every triangle: the yardstick; takes
                                       no bounds and no nodes                                  */
-    RSH_ENGINE_TILES = 3,          /* each tile of 256 rays goes through the scene front to
-                                      back and stops behind its last hit; bound: box          */
+    RSH_ENGINE_TILES = 3,          /* each tile of 256 rays goes through the BVH16 front to back
+                                      and stops behind its last hit; shape: box               */
     RSH_ENGINE_PAPER = 4           /* as paper_faithful, tuned: 16 children at a time, a run of
                                       triangles per node, survivors counted before they are
-                                      written; bound: box                                     */
+                                      written; shape: box                                     */
 };
 
 /* How to reduce a stream; see rsh_reduce. */
@@ -430,7 +464,7 @@ typedef struct rsh_traverse_desc {
     cl_uint occlusion_bit; /* any: 0 .. 31: the bit that is set when the ray hits something;
                               other bits, and rays that hit nothing, stay as they are         */
     cl_uint engine;        /* RSH_ENGINE_... */
-    cl_uint bound;         /* RSH_BOUND_... of `bounds` and `nodes`; one the engine takes     */
+    cl_uint shape;         /* RSH_SHAPE_... of `bounds` and `nodes`; one the engine takes     */
     cl_uint strategy;      /* RSH_STRATEGY_...; paper_faithful. paper packs by counts of its
                               own and ignores it                                              */
     size_t budget;         /* paper_faithful, paper: bytes for the pair streams; 0: enough for
@@ -543,7 +577,7 @@ typedef struct rsh_frame_desc {
     float min_weight;     /* secondary rays that weigh no more are left out; 0: only those
                              that cannot matter                                               */
     cl_uint engine;       /* as in rsh_traverse_desc */
-    cl_uint bound;        /* RSH_BOUND_DEFAULT: what suits the engine */
+    cl_uint shape;        /* RSH_SHAPE_DEFAULT: what suits the engine */
     cl_uint strategy;
     size_t budget;
     cl_mem colour;        /* out: width * height x float4, linear rgb; a = 1 where it sees
@@ -554,7 +588,7 @@ typedef struct rsh_frame_desc {
     cl_mem bounds;        /* in/out: as in rsh_bound_desc, of the scene; NULL: made in scratch,
                              which the query counts, so that there it must be NULL, or not, as
                              in the call. Frames without shadows and bounces leave it alone   */
-    cl_uint update;       /* as in rsh_bound_desc; 0 without `bounds`                         */
+    cl_uint mode;         /* as in rsh_bound_desc; 0 without `bounds`                         */
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,
@@ -637,18 +671,18 @@ typedef struct rsh_selftest {
 RSH_API rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
                                        rsh_selftest* report);
 
-/* The RSH_BOUND_... that an engine prefers, which rsh_bound and rsh_build must be told as well;
- * RSH_BOUND_DEFAULT for one that takes none, or is none. */
-RSH_API cl_uint rsh_engine_bound(cl_uint engine);
+/* The RSH_SHAPE_... that an engine prefers, which rsh_bound and rsh_build must be told as well;
+ * RSH_SHAPE_DEFAULT for one that takes none, or is none. */
+RSH_API cl_uint rsh_engine_shape(cl_uint engine);
 
-/* Name of a strategy ("chunk"), engine ("tiles") or bound ("box"), and its value for a name;
+/* Name of a strategy ("chunk"), engine ("tiles") or shape ("box"), and its value for a name;
  * NULL and RSH_INVALID_VALUE when there is none. */
 RSH_API const char* rsh_strategy_name(cl_uint strategy);
 RSH_API const char* rsh_engine_name(cl_uint engine);
-RSH_API const char* rsh_bound_name(cl_uint bound);
+RSH_API const char* rsh_shape_name(cl_uint shape);
 RSH_API rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy);
 RSH_API rsh_status rsh_engine_from_name(const char* name, cl_uint* engine);
-RSH_API rsh_status rsh_bound_from_name(const char* name, cl_uint* bound);
+RSH_API rsh_status rsh_shape_from_name(const char* name, cl_uint* shape);
 
 #ifdef __cplusplus
 }

@@ -1,8 +1,11 @@
-/* rsh_types.h - every struct that crosses the border between host and device, written once.
+/* rsh_types.h - the structs that callers put into buffers or read there, written once.
  *
  * Read by C99, C++11 and OpenCL C: scalars and 4-vectors only (a 3-vector occupies four
  * components on the device), padding spelled out, sizes asserted in all three languages.
  * Declares no function; rsh.h is the API.
+ *
+ * These sizes are final. Words called `reserved` must be 0; a later version may give them a
+ * meaning, and 0 will then mean what this version does.
  */
 #ifndef RSH_TYPES_H
 #define RSH_TYPES_H
@@ -40,6 +43,10 @@ typedef cl_uint rsh_uint;
 /* Levels of a hierarchy: 4^14 rays fill 15 levels, a list of 2^28 rays as well. */
 #define RSH_MAX_LEVELS 16
 
+/* Bits of rsh_statistics::wrong_buffers: what a traversal met that was not made for it. */
+#define RSH_WRONG_BOUNDS 1u
+#define RSH_WRONG_NODES 2u
+
 /* A ray: the points origin + t * direction with tmin <= t <= tmax; a tmin below 0 counts as 0.
  *
  * The direction has any length but zero; t counts in units of that length. A ray is inactive,
@@ -61,28 +68,6 @@ typedef struct rsh_hit {
 } rsh_hit;
 RSH_ASSERT_SIZE(rsh_hit, 16);
 
-/* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
- *
- * Level 0 holds the rays. A node of level l + 1 has branching * branching children of level l: node (x, y)
- * those from (branching * x, branching * y) on, row by row; in a list, a run of branching * branching. A node's index
- * is y * width[l] + x; children outside of the level are inactive.
- *
- * cone: branching 2, level `count` is the root; the children of a node are one cone_node4, number
- *       first_child_group[l] + index.
- * box:  branching 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
- *       one box_node16, number index. Behind those of a list lie a word per ray and one
- *       more. If that is 1, the list is sorted: the words are the rays in their order, and
- *       children mean places in it. */
-typedef struct rsh_levels {
-    rsh_uint count;
-    rsh_uint is_list; /* 1: every level has height 1, children in a row */
-    rsh_uint width[RSH_MAX_LEVELS + 1];
-    rsh_uint height[RSH_MAX_LEVELS + 1];
-    rsh_uint first_child_group[RSH_MAX_LEVELS + 1]; /* of the nodes of level l; [count]: all of them */
-    rsh_uint branching;
-} rsh_levels;
-RSH_ASSERT_SIZE(rsh_levels, 216);
-
 /* Pinhole camera. Pixel (x, y), y downwards, looks from `eye` along
  *   forward + ((x + 0.5) / width * 2 - 1) * right + (1 - (y + 0.5) / height * 2) * up,
  * normalised; so |right| / |forward| is the tangent of half the horizontal field of view. */
@@ -91,8 +76,9 @@ typedef struct rsh_camera {
     rsh_float4 forward; /* xyz, w: far, their tmax [world]; 0: infinite            */
     rsh_float4 right;   /* xyz, w: 0 */
     rsh_float4 up;      /* xyz, w: 0 */
+    rsh_uint reserved[8]; /* 0; for an aperture, a focus, samples and a shutter */
 } rsh_camera;
-RSH_ASSERT_SIZE(rsh_camera, 64);
+RSH_ASSERT_SIZE(rsh_camera, 96);
 
 /* Whitted's material (CACM 1980), with Blinn-Phong highlights. All colours are linear.
  * A surface sends out  emission + ambient * scene ambient
@@ -116,9 +102,10 @@ typedef struct rsh_material {
                                 not positive: 1 */
     rsh_float4 emission;     /* rgb, w: 0 */
     rsh_uint texture;        /* of the diffuse colour, or RSH_NO_TEXTURE */
-    rsh_uint padding[3];
+    rsh_uint reserved[7];    /* 0; for roughness, the priority of nested media, cut-outs and more
+                                textures */
 } rsh_material;
-RSH_ASSERT_SIZE(rsh_material, 112);
+RSH_ASSERT_SIZE(rsh_material, 128);
 
 #define RSH_LIGHT_POINT 0u
 #define RSH_LIGHT_DIRECTIONAL 1u
@@ -134,8 +121,9 @@ typedef struct rsh_light {
     rsh_float cos_outer;    /* ... none outside this one, smoothstep between */
     rsh_uint kind;          /* RSH_LIGHT_... */
     rsh_uint casts_shadow;  /* 0 or 1 */
+    rsh_uint reserved[12];  /* 0; for the extent of lights and their samples */
 } rsh_light;
-RSH_ASSERT_SIZE(rsh_light, 80);
+RSH_ASSERT_SIZE(rsh_light, 128);
 
 #define RSH_TEXEL_SRGB8 0u   /* 4 bytes r g b a, sRGB-encoded */
 #define RSH_TEXEL_FLOAT32 1u /* 4 floats r g b a, linear       */
@@ -150,7 +138,8 @@ typedef struct rsh_texture {
     rsh_uint width;
     rsh_uint height;
     rsh_uint format; /* RSH_TEXEL_... */
+    rsh_uint reserved[8]; /* 0; for scale, shift, clamping and another filter */
 } rsh_texture;
-RSH_ASSERT_SIZE(rsh_texture, 16);
+RSH_ASSERT_SIZE(rsh_texture, 48);
 
 #endif /* RSH_TYPES_H */

@@ -3,6 +3,7 @@
  * among small ones becomes large.
  *   vertices, indices  in   triangles
  *   sorting, keys      out  for order/sort.cl, and how many triangles are in each of its bins, cells
+ *   wrong              out  RSH_WRONG_BOUNDS: an update found no bounds
  *   is_refit, now,    in   1: the order that `bvh` hold stays if it serves (bvh/refit_quality.h);
  *   bvh                     else they are no bounds any more
  * Where ranges of 16 triangles are compact as they come, as in most meshes, they stay in their
@@ -52,9 +53,12 @@ static bool keeps_order(uint is_refit, __global const refit_quality* now,
 __kernel void rsh_order_measure(mesh_view mesh, __global const float* vertices,
                                 __global const uint* indices, bvh_layout layout, uint is_refit,
                                 __global const refit_quality* now, __global const float* bvh,
-                                __global sample_bounds* samples, __global sort_plan* sorting)
+                                __global sample_bounds* samples, __global sort_plan* sorting,
+                                volatile __global uint* wrong)
 {
     const bool is_kept = keeps_order(is_refit, now, bvh, layout);
+    if (is_refit && get_global_id(0) == 0 && const_head_of(bvh)->made != RSH_BVH_MADE)
+        atomic_or(wrong, RSH_WRONG_BOUNDS);
     if (get_global_id(0) == 0) *sorting = (sort_plan){!is_kept, 0};
     if (is_kept) return;
     const range16 mine = my_range16(mesh.triangle_count);

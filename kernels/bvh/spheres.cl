@@ -1,8 +1,9 @@
 /* spheres.cl - a sphere around every triangle.
  *   vertices, indices  in   triangles
- *   spheres            out  centre, radius; radius -1: never hit
+ *   bounds             out  a head, then spheres: centre, radius; radius -1: never hit
  * Any centre would do: the radius is measured from the stored one. Does not look at rays.
  */
+#include "bvh/spheres.h"
 #include "mesh/algebra.h"
 
 /* Centre of the smallest sphere: the middle of the longest edge unless all angles are acute. */
@@ -34,9 +35,11 @@ static float triangle_radius(triangle_points p, float3 centre)
 }
 
 __kernel void rsh_spheres(mesh_view mesh, __global const float* vertices,
-                          __global const uint* indices, __global float4* spheres)
+                          __global const uint* indices, __global float4* bounds)
 {
     const uint i = get_global_id(0);
+    __global float4* spheres = bounds + RSH_SPHERES_AT;
+    if (i == 0) write_spheres_head(mesh.triangle_count, bounds);
     if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
     triangle_points p;
     if (!load_triangle(mesh, vertices, indices, i, &p) || !is_finite3(p.v0) ||

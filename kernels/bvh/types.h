@@ -46,7 +46,7 @@ RSH_ASSERT_SIZE(bvh_layout, 24);
  * may where the reciprocal of a direction is 0, find nothing there that they should not. */
 #define RSH_NO_CHILD (1u << 25 | RSH_IS_LEAF | RSH_SCALED)
 
-#define RSH_CHILD_NUMBER(child) (0x01ffffffu & (child))
+#define RSH_CHILD_NUMBER(child) ((child)&0x01ffffffu)
 
 /* Words before the parts of it that are neither leaves nor nodes. */
 #define RSH_ORDER_AT(layout)                                            \
@@ -81,6 +81,16 @@ typedef struct bvh_head {
 RSH_ASSERT_SIZE(bvh_head, 64);
 
 #define RSH_BVH_MADE 0x62687372u
+
+/* The same for spheres. */
+typedef struct spheres_head {
+    rsh_uint made; /* RSH_SPHERES_MADE */
+    rsh_uint triangles;
+    rsh_uint unused[14]; /* spheres begin at a cache line */
+} spheres_head;
+RSH_ASSERT_SIZE(spheres_head, 64);
+
+#define RSH_SPHERES_MADE 0x73687372u
 
 /* Of a part. */
 typedef struct bvh_part {
@@ -138,6 +148,6 @@ RSH_ASSERT_SIZE(tree_part, 28);
 
 /* Bins of bvh/order.cl, by cells of 2^-bits of the scene: cells for large triangles, four
  * times as long, then those for the others. */
-#define RSH_ORDER_BINS(bits) ((1u << 3 * (bits)) / 64 * 65)
+#define RSH_ORDER_BINS(bits) (65u << (3 * (bits)-6))
 
 #endif

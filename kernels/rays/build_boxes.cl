@@ -6,6 +6,7 @@
  */
 #include "order/types.h"
 #include "rays/box_node.h"
+#include "rays/nodes_head.h"
 #include "rays/tile_layout.h"
 
 static float smallest_active(const ray_block* block, const floatv* row)
@@ -106,6 +107,7 @@ __kernel void rsh_build_boxes(rsh_levels shape, __global const rsh_ray* rays,
                               uint is_converging, __global float* nodes)
 {
     const uint me = get_global_id(0);
+    if (me == 0) write_nodes_head(shape, RSH_BOXES_MADE, nodes);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
     const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
     node_rows rows;
@@ -118,7 +120,7 @@ __kernel void rsh_build_boxes(rsh_levels shape, __global const rsh_ray* rays,
         else
             clear_rows(b, &rows);
     }
-    __global float* out = nodes + 16ul * RSH_NODE_ROWS * me;
+    __global float* out = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     for (uint f = 0; f < RSH_NODE_ROWS; ++f)
         for (uint v = 0; v < RSH_VECTORS; ++v)
             store_lanes(load_lanes(rows.row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);

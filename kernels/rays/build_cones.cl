@@ -1,13 +1,14 @@
 /* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item per
  * quad.
  *   rays   in   level 0
- *   quads  out  nodes of all levels below the root; see cone_node4
+ *   nodes  out  a head, then quads: nodes of all levels below the root; see cone_node4
  * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and
  * sine are then measured from the guess as stored, rounded outwards, so that a node always
  * contains its rays. Does not test anything against the scene.
  */
 #include "mesh/algebra.h"
 #include "rays/levels.h"
+#include "rays/nodes_head.h"
 
 typedef struct cone_node {
     float3 apex;
@@ -155,19 +156,26 @@ static cone_node leaf(const rsh_levels* levels, __global const rsh_ray* rays,
     return is_converging ? reversed_cone(ray) : ray_cone(ray);
 }
 
+static __global cone_node4* quads_in(__global uint* nodes)
+{
+    return (__global cone_node4*)(nodes + RSH_NODES_HEAD_WORDS);
+}
+
 __kernel void rsh_build_cones_rays(rsh_levels levels, __global const rsh_ray* rays,
-                                   uint is_converging, __global cone_node4* quads)
+                                   uint is_converging, __global uint* nodes)
 {
     const uint i = get_global_id(0);
+    if (i == 0) write_nodes_head(levels, RSH_CONES_MADE, nodes);
     if (i >= levels.width[1] * levels.height[1]) return;
     cone_node4 quad;
     for (uint k = 0; k < 4; ++k)
         set_quad_member(&quad, k, leaf(&levels, rays, is_converging, i, k));
-    quads[levels.first_child_group[0] + i] = quad;
+    quads_in(nodes)[levels.first_child_group[0] + i] = quad;
 }
 
-__kernel void rsh_build_cones_level(rsh_levels shape, uint level, __global cone_node4* quads)
+__kernel void rsh_build_cones_level(rsh_levels shape, uint level, __global uint* nodes)
 {
+    __global cone_node4* quads = quads_in(nodes);
     const rsh_levels levels = shape;
     const uint i = get_global_id(0);
     if (i >= levels.width[level + 1] * levels.height[level + 1]) return;

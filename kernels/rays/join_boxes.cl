@@ -1,6 +1,6 @@
 /* join_boxes.cl - boxes around nodes of the bound `box`, level by level above the tiles: a
  * minimum of minima is as tight as if fitted to the rays.
- *   in   in   groups of the nodes of `level`: their children
+ *   in   in   from word first_word on, groups of the nodes of `level`: their children
  *   out  out  groups of the nodes of level + 1: the nodes of `level` themselves
  * A work-item makes a group.
  */
@@ -30,7 +30,8 @@ static void clear_row(float* row)
 }
 
 __kernel void rsh_join_boxes(rsh_levels shape, uint level, __global const float* in,
-                             uint first_in, __global float* out, uint first_out)
+                             uint first_word, uint first_in, __global float* out,
+                             uint first_out)
 {
     const rsh_levels levels = shape;
     const uint me = get_global_id(0);
@@ -42,7 +43,7 @@ __kernel void rsh_join_boxes(rsh_levels shape, uint level, __global const float*
         if (node == RSH_NO_NODE)
             clear_row(row);
         else
-            join_node16(in + 224ul * (first_in + node), row);
+            join_node16(in + first_word + 224ul * (first_in + node), row);
         for (uint f = 0; f < 14; ++f) node16[16 * f + k] = row[f];
     }
 }

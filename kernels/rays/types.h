@@ -27,8 +27,42 @@ typedef struct box_node16 {
 } box_node16;
 RSH_ASSERT_SIZE(box_node16, 896);
 
+/* What nodes say of themselves at their start. */
+typedef struct nodes_head {
+    rsh_uint made; /* RSH_CONES_MADE or RSH_BOXES_MADE; any other word: they are none */
+    rsh_uint width, height, is_list; /* of their rays */
+    rsh_uint unused[12];             /* nodes begin at a cache line */
+} nodes_head;
+RSH_ASSERT_SIZE(nodes_head, 64);
+
+#define RSH_CONES_MADE 0x6e687372u
+#define RSH_BOXES_MADE 0x6f687372u
+
+/* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
+ *
+ * Level 0 holds the rays. A node of level l + 1 has branching * branching children of level l: node (x, y)
+ * those from (branching * x, branching * y) on, row by row; in a list, a range of branching * branching. A node's index
+ * is y * width[l] + x; children outside of the level are inactive.
+ *
+ * cone: branching 2, level `count` is the root; the children of a node are one cone_node4, number
+ *       first_child_group[l] + index.
+ * box:  branching 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
+ *       one box_node16, number index. Behind those of a list lie a word per ray and one
+ *       more. If that is 1, the list is sorted: the words are the rays in their order, and
+ *       children mean places in it. */
+typedef struct rsh_levels {
+    rsh_uint count;
+    rsh_uint is_list; /* 1: every level has height 1, children in a row */
+    rsh_uint width[RSH_MAX_LEVELS + 1];
+    rsh_uint height[RSH_MAX_LEVELS + 1];
+    rsh_uint first_child_group[RSH_MAX_LEVELS +
+                               1]; /* of the nodes of level l; [count]: all of them */
+    rsh_uint branching;
+} rsh_levels;
+RSH_ASSERT_SIZE(rsh_levels, 216);
+
 /* Words before the order of a list's rays in its nodes; see rsh_levels. */
-#define RSH_RAY_ORDER_AT(tiles) (sizeof(box_node16) / 4 * (tiles))
+#define RSH_RAY_ORDER_AT(tiles) (sizeof(nodes_head) / 4 + sizeof(box_node16) / 4 * (tiles))
 
 /* Bins of rays/sort_rays.cl: octants of directions by cells of origins; then inactive rays. */
 #define RSH_RAY_CELL_BITS 3

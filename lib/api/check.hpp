@@ -79,9 +79,11 @@ void check_shape(const rsh_shade_desc& desc);
 void check_shape(const rsh_frame_desc& desc);
 void check_shape(const rsh_reduce_desc& desc);
 
-// The buffers of a descriptor whose shape was checked: they are there, and large enough.
-void check_buffers(const Context& context, const rsh_geometry& geometry);
-void check_buffers(const Context& context, const rsh_scene& scene);
+// Host copies of what lies in the scene's buffers, which no other call sees.
+void check_host_copies(const rsh_scene& scene, const rsh_material* materials,
+                       const rsh_light* lights);
+
+// The buffers of a descriptor whose shape was checked; see buffers.hpp.
 void check_buffers(const Context& context, const rsh_rasterize_desc& desc);
 void check_buffers(const Context& context, const rsh_bound_desc& desc);
 void check_buffers(const Context& context, const rsh_build_desc& desc);

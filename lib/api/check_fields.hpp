@@ -2,6 +2,7 @@
 // alone include it.
 #pragma once
 
+#include "api/buffers.hpp"
 #include "api/check.hpp"
 
 namespace rsh {
@@ -10,13 +11,11 @@ namespace rsh {
 constexpr cl_uint kMaxRays = 1u << 28;
 constexpr cl_uint kMaxSide = 16384;
 
-// A buffer of the context that holds at least `bytes`; may be NULL only if `bytes` is 0.
-void check_buffer(const Context& context, const char* field, cl_mem buffer, cl_ulong bytes);
-// The same, where NULL means that there is none.
-void check_optional(const Context& context, const char* field, cl_mem buffer, cl_ulong bytes);
-// The same for scratch memory, where NULL means the pool.
-void check_scratch(const Context& context, cl_mem scratch, size_t bytes);
+void check_buffers(Buffers& buffers, const rsh_geometry& geometry);
+void check_buffers(Buffers& buffers, const rsh_scene& scene);
 
+// Words that this version of the interface gives no meaning.
+void check_reserved(const char* field, const cl_uint* words, size_t count);
 void check_vector(const char* field, const rsh_float4& v);
 void check_budget(size_t budget);
 void check_min_weight(float weight);

@@ -1,9 +1,11 @@
 // check_frame.cpp - calls that start at the camera: rasterize and frame.
 #include <cmath>
+#include <iterator>
 
 #include "api/check_fields.hpp"
+#include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
-#include "pipeline.hpp"
+#include "frame/memory.hpp"
 #include "reduce/strategy.hpp"
 #include "traverse/engine.hpp"
 
@@ -20,6 +22,7 @@ void check_axis(const char* field, const rsh_float4& v) {
 }
 
 void check_camera(const rsh_camera& camera) {
+    check_reserved("camera.reserved", camera.reserved, std::size(camera.reserved));
     check_vector("camera.eye", camera.eye);
     check_axis("camera.forward", camera.forward);
     check_axis("camera.right", camera.right);
@@ -40,11 +43,12 @@ void check_shape(const rsh_rasterize_desc& desc) {
 }
 
 void check_buffers(const Context& context, const rsh_rasterize_desc& desc) {
-    check_buffers(context, desc.geometry);
+    Buffers buffers(context);
+    check_buffers(buffers, desc.geometry);
     const cl_ulong pixels = cl_ulong{desc.width} * desc.height;
-    check_buffer(context, "rays", desc.rays, pixels * sizeof(rsh_ray));
-    check_buffer(context, "hits", desc.hits, pixels * sizeof(rsh_hit));
-    check_scratch(context, desc.scratch, rasterize_scratch(context, desc).bytes());
+    buffers.out("rays", desc.rays, pixels * sizeof(rsh_ray));
+    buffers.out("hits", desc.hits, pixels * sizeof(rsh_hit));
+    buffers.scratch(desc.scratch, rasterize_scratch(context, desc).bytes());
 }
 
 void check_shape(const rsh_frame_desc& desc) {
@@ -56,19 +60,20 @@ void check_shape(const rsh_frame_desc& desc) {
             "at most " + std::to_string(RSH_MAX_LEVELS));
     check_min_weight(desc.min_weight);
     const Engine& engine = find_engine(desc.engine);
-    if (desc.bound != RSH_BOUND_DEFAULT) check_bound(engine, desc.bound);
+    if (desc.shape != RSH_SHAPE_DEFAULT) check_node_shape(engine, desc.shape);
     find_strategy(desc.strategy);
     check_budget(desc.budget);
-    require(desc.update <= RSH_UPDATE_FIRST, "update", desc.update, "an RSH_UPDATE_... value");
+    require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_SHAPE_... value");
 }
 
 void check_buffers(const Context& context, const rsh_frame_desc& desc) {
-    check_buffers(context, *desc.scene);
-    check_buffer(context, "colour", desc.colour, cl_ulong{desc.width} * desc.height * 16);
-    require(!desc.update || desc.bounds, "update", desc.update, "0 without bounds");
-    check_optional(context, "bounds", desc.bounds,
-                   frame_bound(desc).scene_bytes(desc.scene->geometry));
-    check_scratch(context, desc.scratch, frame_scratch(context, desc).bytes());
+    Buffers buffers(context);
+    check_buffers(buffers, *desc.scene);
+    buffers.out("colour", desc.colour, cl_ulong{desc.width} * desc.height * 16);
+    require(!desc.mode || desc.bounds, "mode", desc.mode, "0 without bounds");
+    buffers.optional_out("bounds", desc.bounds,
+                         bounds_for(frame_shape(desc).id()).bytes(desc.scene->geometry));
+    buffers.scratch(desc.scratch, frame_scratch(context, desc).bytes());
 }
 
 }  // namespace rsh

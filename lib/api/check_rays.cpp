@@ -1,7 +1,8 @@
 // check_rays.cpp - calls over given rays: build, traverse, spawn, shade.
 #include "api/check_fields.hpp"
-#include "rays/bound.hpp"
+#include "bvh/scene_bounds.hpp"
 #include "rays/levels.hpp"
+#include "rays/node_shape.hpp"
 #include "reduce/strategy.hpp"
 #include "traverse/engine.hpp"
 
@@ -24,9 +25,9 @@ void check_ray_count(cl_uint ray_count) {
             "at most " + std::to_string(kMaxRays));
 }
 
-void check_hit_rays(const Context& context, cl_uint ray_count, cl_mem rays, cl_mem hits) {
-    check_buffer(context, "rays", rays, cl_ulong{ray_count} * sizeof(rsh_ray));
-    check_buffer(context, "hits", hits, cl_ulong{ray_count} * sizeof(rsh_hit));
+void check_hit_rays(Buffers& buffers, cl_uint ray_count, cl_mem rays, cl_mem hits) {
+    buffers.in("rays", rays, cl_ulong{ray_count} * sizeof(rsh_ray));
+    buffers.in("hits", hits, cl_ulong{ray_count} * sizeof(rsh_hit));
 }
 
 }  // namespace
@@ -34,22 +35,22 @@ void check_hit_rays(const Context& context, cl_uint ray_count, cl_mem rays, cl_m
 void check_shape(const rsh_build_desc& desc) {
     check_ray_grid(desc.width, desc.height);
     require(desc.converging <= 1, "converging", desc.converging, "0 or 1");
-    find_bound(desc.bound);
+    find_shape(desc.shape);
 }
 
 void check_buffers(const Context& context, const rsh_build_desc& desc) {
-    const Bound& bound = find_bound(desc.bound);
-    check_buffer(context, "rays", desc.rays,
-                 ray_count(desc.width, desc.height) * sizeof(rsh_ray));
-    const rsh_levels levels = bound.levels(desc.width, desc.height);
-    check_buffer(context, "nodes", desc.nodes, bound.node_bytes(levels));
-    check_scratch(context, desc.scratch, bound.build_scratch(context, levels).bytes());
+    Buffers buffers(context);
+    const NodeShape& shape = find_shape(desc.shape);
+    buffers.in("rays", desc.rays, ray_count(desc.width, desc.height) * sizeof(rsh_ray));
+    const rsh_levels levels = shape.levels(desc.width, desc.height);
+    buffers.out("nodes", desc.nodes, shape.bytes(levels));
+    buffers.scratch(desc.scratch, shape.scratch(context, levels).bytes());
 }
 
 void check_shape(const rsh_traverse_desc& desc) {
     check_shape(desc.geometry);
     check_ray_grid(desc.width, desc.height);
-    check_bound(find_engine(desc.engine), desc.bound);
+    check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
     require(desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ANY, "query", desc.query,
             "RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
@@ -59,22 +60,21 @@ void check_shape(const rsh_traverse_desc& desc) {
 }
 
 void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
-    check_buffers(context, desc.geometry);
+    Buffers buffers(context);
+    check_buffers(buffers, desc.geometry);
     const cl_ulong rays = ray_count(desc.width, desc.height);
     const Engine& engine = find_engine(desc.engine);
-    check_buffer(context, "rays", desc.rays, rays * sizeof(rsh_ray));
-    if (!engine.bounds().empty()) {
-        const Bound& bound = find_bound(desc.bound);
-        check_optional(context, "bounds", desc.bounds, bound.scene_bytes(desc.geometry));
-        check_buffer(context, "nodes", desc.nodes,
-                     bound.node_bytes(bound.levels(desc.width, desc.height)));
+    buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
+    if (engine.node_shape() != RSH_SHAPE_DEFAULT) {
+        const NodeShape& shape = find_shape(desc.shape);
+        buffers.optional_in("bounds", desc.bounds, bounds_for(desc.shape).bytes(desc.geometry));
+        buffers.in("nodes", desc.nodes, shape.bytes(shape.levels(desc.width, desc.height)));
     }
     if (desc.query == RSH_QUERY_ANY)
-        check_buffer(context, "occlusion", desc.occlusion, rays * 4);
+        buffers.out("occlusion", desc.occlusion, rays * 4);
     else
-        check_buffer(context, "hits", desc.hits, rays * sizeof(rsh_hit));
-    check_scratch(context, desc.scratch,
-                  engine.scratch(context, desc, scene_bounds_of(desc)).bytes());
+        buffers.out("hits", desc.hits, rays * sizeof(rsh_hit));
+    buffers.scratch(desc.scratch, engine.scratch(context, desc, bounds_from(desc)).bytes());
 }
 
 void check_shape(const rsh_spawn_desc& desc) {
@@ -89,14 +89,15 @@ void check_shape(const rsh_spawn_desc& desc) {
 }
 
 void check_buffers(const Context& context, const rsh_spawn_desc& desc) {
-    check_buffers(context, *desc.scene);
-    check_hit_rays(context, desc.ray_count, desc.rays, desc.hits);
+    Buffers buffers(context);
+    check_buffers(buffers, *desc.scene);
+    check_hit_rays(buffers, desc.ray_count, desc.rays, desc.hits);
     const cl_ulong rays = desc.ray_count;
-    check_buffer(context, "spawned_rays", desc.spawned_rays, rays * sizeof(rsh_ray));
-    check_optional(context, "active_count", desc.active_count, 4);
+    buffers.out("spawned_rays", desc.spawned_rays, rays * sizeof(rsh_ray));
+    buffers.optional_out("active_count", desc.active_count, 4);
     if (desc.kind == RSH_SPAWN_SHADOW) return;
-    check_optional(context, "weights", desc.weights, rays * 16);
-    check_buffer(context, "spawned_weights", desc.spawned_weights, rays * 16);
+    buffers.optional_in("weights", desc.weights, rays * 16);
+    buffers.out("spawned_weights", desc.spawned_weights, rays * 16);
 }
 
 void check_shape(const rsh_shade_desc& desc) {
@@ -105,12 +106,13 @@ void check_shape(const rsh_shade_desc& desc) {
 }
 
 void check_buffers(const Context& context, const rsh_shade_desc& desc) {
-    check_buffers(context, *desc.scene);
-    check_hit_rays(context, desc.ray_count, desc.rays, desc.hits);
+    Buffers buffers(context);
+    check_buffers(buffers, *desc.scene);
+    check_hit_rays(buffers, desc.ray_count, desc.rays, desc.hits);
     const cl_ulong rays = desc.ray_count;
-    check_optional(context, "weights", desc.weights, rays * 16);
-    check_optional(context, "occlusion", desc.occlusion, rays * 4);
-    check_buffer(context, "colour", desc.colour, rays * 16);
+    buffers.optional_in("weights", desc.weights, rays * 16);
+    buffers.optional_in("occlusion", desc.occlusion, rays * 4);
+    buffers.out("colour", desc.colour, rays * 16);
 }
 
 }  // namespace rsh

@@ -21,15 +21,16 @@ void check_shape(const rsh_reduce_desc& desc) {
 }
 
 void check_buffers(const Context& context, const rsh_reduce_desc& desc) {
+    Buffers buffers(context);
     const cl_ulong bytes = desc.element_bytes;
-    check_optional(context, "input_count", desc.input_count, 4);
-    check_buffer(context, "input", desc.input, desc.count * bytes);
-    if (desc.keep == RSH_KEEP_FLAGS) check_buffer(context, "flags", desc.flags, desc.count);
+    buffers.optional_in("input_count", desc.input_count, 4);
+    buffers.in("input", desc.input, desc.count * bytes);
+    if (desc.keep == RSH_KEEP_FLAGS) buffers.in("flags", desc.flags, desc.count);
     if (desc.keep == RSH_KEEP_BITS)
-        check_buffer(context, "flags", desc.flags, (cl_ulong{desc.count} + 7) / 8);
-    check_buffer(context, "output", desc.output, desc.count ? bytes : 0);
-    check_buffer(context, "output_count", desc.output_count, 4);
-    check_scratch(context, desc.scratch, reduce_scratch(context, desc).bytes());
+        buffers.in("flags", desc.flags, (cl_ulong{desc.count} + 7) / 8);
+    buffers.out("output", desc.output, desc.count ? bytes : 0);
+    buffers.out("output_count", desc.output_count, 4);
+    buffers.scratch(desc.scratch, reduce_scratch(context, desc).bytes());
 }
 
 }  // namespace rsh

@@ -1,16 +1,13 @@
 // check_scene.cpp - triangles, materials, lights and images.
+#include <iterator>
+
 #include "api/check_fields.hpp"
-#include "rays/bound.hpp"
+#include "bvh/scene_bounds.hpp"
 
 namespace rsh {
 namespace {
 
 constexpr cl_uint kMaxTriangles = 1u << 28;
-
-// Saturates: no offset wraps round to a small size.
-cl_ulong end_of(cl_ulong offset, cl_ulong bytes) {
-    return offset > ~cl_ulong{0} - bytes ? ~cl_ulong{0} : offset + bytes;
-}
 
 cl_ulong stride_of(const rsh_geometry& geometry) {
     return geometry.vertex_stride ? geometry.vertex_stride : 12;
@@ -27,10 +24,10 @@ void check_images(const rsh_scene& scene) {
                 scene.environment_texture, "at least 1 with RSH_FEATURE_ENVIRONMENT_IMAGE");
 }
 
-void check_image_buffers(const Context& context, const rsh_scene& scene) {
-    check_buffer(context, "scene.textures", scene.textures,
-                 cl_ulong{scene.texture_count} * sizeof(rsh_texture));
-    if (scene.texture_count) check_buffer(context, "scene.texels", scene.texels, 4);
+void check_image_buffers(Buffers& buffers, const rsh_scene& scene) {
+    buffers.in("scene.textures", scene.textures,
+               cl_ulong{scene.texture_count} * sizeof(rsh_texture));
+    if (scene.texture_count) buffers.in("scene.texels", scene.texels, 4);
     if (scene.features & RSH_FEATURE_TEXTURE)
         require_not_null(scene.texcoords, "scene.texcoords");
 }
@@ -47,14 +44,18 @@ void check_shape(const rsh_geometry& geometry) {
             geometry.vertices_offset, "a multiple of 4");
     require(geometry.indices_offset % 4 == 0, "geometry.indices_offset",
             geometry.indices_offset, "a multiple of 4");
+    check_reserved("geometry.reserved", geometry.reserved, std::size(geometry.reserved));
+    for (const cl_mem buffer : geometry.reserved_buffers)
+        if (buffer)
+            throw Error(RSH_INVALID_VALUE, "geometry.reserved_buffers: is set, must be NULL");
 }
 
-void check_buffers(const Context& context, const rsh_geometry& geometry) {
+void check_buffers(Buffers& buffers, const rsh_geometry& geometry) {
     const cl_ulong vertices = geometry.vertex_count, stride = stride_of(geometry);
-    check_buffer(context, "geometry.vertices", geometry.vertices,
-                 vertices ? end_of(geometry.vertices_offset, (vertices - 1) * stride + 12) : 0);
-    check_optional(context, "geometry.indices", geometry.indices,
-                   end_of(geometry.indices_offset, cl_ulong{geometry.triangle_count} * 12));
+    buffers.in("geometry.vertices", geometry.vertices,
+               vertices ? (vertices - 1) * stride + 12 : 0, geometry.vertices_offset);
+    buffers.optional_in("geometry.indices", geometry.indices,
+                        cl_ulong{geometry.triangle_count} * 12, geometry.indices_offset);
 }
 
 void check_shape(const rsh_scene& scene) {
@@ -70,35 +71,42 @@ void check_shape(const rsh_scene& scene) {
     check_vector("scene.environment", scene.environment);
 }
 
-void check_buffers(const Context& context, const rsh_scene& scene) {
-    check_buffers(context, scene.geometry);
+void check_buffers(Buffers& buffers, const rsh_scene& scene) {
+    check_buffers(buffers, scene.geometry);
     const cl_ulong vertices = scene.geometry.vertex_count;
-    check_optional(context, "scene.normals", scene.normals, vertices * 12);
-    check_optional(context, "scene.texcoords", scene.texcoords, vertices * 8);
-    check_optional(context, "scene.material_ids", scene.material_ids,
-                   cl_ulong{scene.geometry.triangle_count} * 4);
-    check_buffer(context, "scene.materials", scene.materials,
-                 cl_ulong{scene.material_count} * sizeof(rsh_material));
-    check_buffer(context, "scene.lights", scene.lights,
-                 cl_ulong{scene.light_count} * sizeof(rsh_light));
+    buffers.optional_in("scene.normals", scene.normals, vertices * 12);
+    buffers.optional_in("scene.texcoords", scene.texcoords, vertices * 8);
+    buffers.optional_in("scene.material_ids", scene.material_ids,
+                        cl_ulong{scene.geometry.triangle_count} * 4);
+    buffers.in("scene.materials", scene.materials,
+               cl_ulong{scene.material_count} * sizeof(rsh_material));
+    buffers.in("scene.lights", scene.lights, cl_ulong{scene.light_count} * sizeof(rsh_light));
     if (scene.features & RSH_FEATURE_SMOOTH_NORMAL)
         require_not_null(scene.normals, "scene.normals");
-    check_image_buffers(context, scene);
+    check_image_buffers(buffers, scene);
+}
+
+void check_host_copies(const rsh_scene& scene, const rsh_material* materials,
+                       const rsh_light* lights) {
+    for (cl_uint i = 0; i < scene.material_count; ++i)
+        check_reserved("materials[i].reserved", materials[i].reserved,
+                       std::size(materials[i].reserved));
+    for (cl_uint i = 0; i < scene.light_count; ++i)
+        check_reserved("lights[i].reserved", lights[i].reserved, std::size(lights[i].reserved));
 }
 
 void check_shape(const rsh_bound_desc& desc) {
     check_shape(desc.geometry);
-    find_bound(desc.bound);
-    require(desc.update <= RSH_UPDATE_FIRST, "update", desc.update, "an RSH_UPDATE_... value");
+    bounds_for(desc.shape);
+    require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_SHAPE_... value");
 }
 
 void check_buffers(const Context& context, const rsh_bound_desc& desc) {
-    check_buffers(context, desc.geometry);
-    check_buffer(context, "bounds", desc.bounds,
-                 find_bound(desc.bound).scene_bytes(desc.geometry));
-    check_scratch(
-        context, desc.scratch,
-        find_bound(desc.bound).bound_scratch(context, desc.geometry, desc.update).bytes());
+    Buffers buffers(context);
+    check_buffers(buffers, desc.geometry);
+    buffers.out("bounds", desc.bounds, bounds_for(desc.shape).bytes(desc.geometry));
+    buffers.scratch(desc.scratch,
+                    bounds_for(desc.shape).scratch(context, desc.geometry, desc.mode).bytes());
 }
 
 }  // namespace rsh

@@ -5,13 +5,14 @@
 #include <cstring>
 
 #include "api/check.hpp"
-#include "bvh/bound.hpp"
+#include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
+#include "device/cl/wrong_buffers.hpp"
 #include "frame/features.hpp"
+#include "frame/memory.hpp"
 #include "pipeline.hpp"
-#include "rays/bound.hpp"
-#include "rays/build.hpp"
 #include "rays/levels.hpp"
+#include "rays/node_shape.hpp"
 #include "reduce/selftest.hpp"
 #include "reduce/strategy.hpp"
 #include "shade/shade.hpp"
@@ -159,6 +160,14 @@ rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics) {
     });
 }
 
+rsh_status rsh_device_status(rsh_context context, cl_command_queue queue) {
+    return rsh::guarded([&] {
+        rsh::Context& checked = rsh::checked_context(context);
+        rsh::check_submission(checked, queue, 0, nullptr);
+        rsh::require_right_buffers(rsh::take_wrong_buffers(checked, queue));
+    });
+}
+
 rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
                              const rsh_light* lights) {
     return rsh::guarded([&] {
@@ -167,6 +176,7 @@ rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
         if (scene->light_count) rsh::require_not_null(lights, "lights");
         rsh::require(scene->light_count <= RSH_MAX_LIGHTS, "scene.light_count",
                      scene->light_count, "at most " + std::to_string(RSH_MAX_LIGHTS));
+        rsh::check_host_copies(*scene, materials, lights);
         rsh_scene found = rsh::widened(scene);
         rsh::find_features(found, materials, lights);
         rsh::hand_back(found, scene);
@@ -188,10 +198,9 @@ rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
 
 rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc, rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
-        const rsh::Bound& bound = rsh::find_bound(checked.bound);
-        return rsh::sizes_of(
-            bound.scene_bytes(checked.geometry),
-            bound.bound_scratch(own, checked.geometry, checked.update).bytes());
+        const rsh::SceneBounds& bounds = rsh::bounds_for(checked.shape);
+        return rsh::sizes_of(bounds.bytes(checked.geometry),
+                             bounds.scratch(own, checked.geometry, checked.mode).bytes());
     });
 }
 
@@ -200,13 +209,11 @@ rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_boun
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::bound);
 }
 
-rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes,
-                           rsh_levels* levels) {
-    return rsh::query(context, desc, sizes, [levels](const auto& own, const auto& checked) {
-        const rsh::Bound& bound = rsh::find_bound(checked.bound);
-        const rsh_levels shape = bound.levels(checked.width, checked.height);
-        if (levels) *levels = shape;
-        return rsh::sizes_of(bound.node_bytes(shape), bound.build_scratch(own, shape).bytes());
+rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        const rsh::NodeShape& shape = rsh::find_shape(checked.shape);
+        const rsh_levels levels = shape.levels(checked.width, checked.height);
+        return rsh::sizes_of(shape.bytes(levels), shape.scratch(own, levels).bytes());
     });
 }
 
@@ -220,21 +227,15 @@ rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
         const rsh::Engine& engine = rsh::find_engine(checked.engine);
         const cl_ulong rays = rsh::ray_count(checked.width, checked.height);
-        return rsh::sizes_of(
-            rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
-            engine.scratch(own, checked, rsh::scene_bounds_of(checked)).bytes());
+        return rsh::sizes_of(rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
+                             engine.scratch(own, checked, rsh::bounds_from(checked)).bytes());
     });
 }
 
 rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                         const rsh_traverse_desc* desc, cl_uint wait_count,
                         const cl_event* wait_list, cl_event* done) {
-    return rsh::enqueue(
-        context, {queue, wait_count, wait_list}, desc, done,
-        [](rsh::Recorder& recorder, const rsh_traverse_desc& checked) {
-            rsh::find_engine(checked.engine).traverse(recorder, checked);
-            recorder.context().statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
-        });
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::traverse);
 }
 
 rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,
@@ -298,15 +299,14 @@ const char* rsh_engine_name(cl_uint engine) {
     return rsh::name_of(rsh::engines(), engine);
 }
 
-cl_uint rsh_engine_bound(cl_uint engine) {
+cl_uint rsh_engine_shape(cl_uint engine) {
     for (const rsh::Engine* known : rsh::engines())
-        if (known->id() == engine || engine == RSH_ENGINE_DEFAULT)
-            return known->preferred_bound();
-    return RSH_BOUND_DEFAULT;
+        if (known->id() == engine || engine == RSH_ENGINE_DEFAULT) return known->node_shape();
+    return RSH_SHAPE_DEFAULT;
 }
 
-const char* rsh_bound_name(cl_uint bound) {
-    return rsh::name_of(rsh::bounds(), bound);
+const char* rsh_shape_name(cl_uint shape) {
+    return rsh::name_of(rsh::node_shapes(), shape);
 }
 
 rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy) {
@@ -323,10 +323,10 @@ rsh_status rsh_engine_from_name(const char* name, cl_uint* engine) {
     });
 }
 
-rsh_status rsh_bound_from_name(const char* name, cl_uint* bound) {
+rsh_status rsh_shape_from_name(const char* name, cl_uint* shape) {
     return rsh::guarded([&] {
-        rsh::require_not_null(bound, "bound");
-        *bound = rsh::id_of(rsh::bounds(), name);
+        rsh::require_not_null(shape, "shape");
+        *shape = rsh::id_of(rsh::node_shapes(), name);
     });
 }
 

@@ -28,17 +28,17 @@ constexpr size_t round_up(size_t bytes, size_t alignment) {
         static constexpr size_t bytes =                                                       \
             round_up(offsetof(type, last_member) + sizeof(type::last_member), alignof(type)); \
     }
-RSH_FIRST_VERSION(rsh_context_desc, kernel_dir);
-RSH_FIRST_VERSION(rsh_statistics, scratch_bytes);
+RSH_FIRST_VERSION(rsh_context_desc, log_user);
+RSH_FIRST_VERSION(rsh_statistics, wrong_buffers);
 RSH_FIRST_VERSION(rsh_scene, features);
 RSH_FIRST_VERSION(rsh_sizes, scratch_bytes);
 RSH_FIRST_VERSION(rsh_rasterize_desc, scratch_budget);
-RSH_FIRST_VERSION(rsh_bound_desc, update);
+RSH_FIRST_VERSION(rsh_bound_desc, mode);
 RSH_FIRST_VERSION(rsh_build_desc, scratch);
 RSH_FIRST_VERSION(rsh_traverse_desc, progress_user);
 RSH_FIRST_VERSION(rsh_spawn_desc, active_count);
 RSH_FIRST_VERSION(rsh_shade_desc, colour);
-RSH_FIRST_VERSION(rsh_frame_desc, update);
+RSH_FIRST_VERSION(rsh_frame_desc, mode);
 RSH_FIRST_VERSION(rsh_reduce_desc, scratch);
 RSH_FIRST_VERSION(rsh_selftest, first_failure);
 #undef RSH_FIRST_VERSION

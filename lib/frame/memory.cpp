@@ -1,8 +1,8 @@
 #include "frame/memory.hpp"
 
+#include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
-#include "pipeline.hpp"
-#include "rays/bound.hpp"
+#include "rays/node_shape.hpp"
 #include "traverse/engine.hpp"
 
 namespace rsh {
@@ -39,7 +39,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     pass.width = desc.width;
     pass.height = desc.height;
     pass.engine = desc.engine;
-    pass.bound = frame_bound(desc).id();
+    pass.shape = frame_shape(desc).id();
     pass.strategy = desc.strategy;
     pass.budget = desc.budget;
     return pass;
@@ -47,23 +47,25 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
 
 // What rays below the camera's need, and only if there are any.
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
-    const Bound& bound = frame_bound(desc);
+    const NodeShape& shape = frame_shape(desc);
+    const SceneBounds& bounds = bounds_for(shape.id());
     const rsh_geometry& geometry = desc.scene->geometry;
-    if (!desc.bounds) layout.add("bounds", bound.scene_bytes(geometry));
-    layout.add("bound scratch", bound.bound_scratch(context, geometry, desc.update).bytes());
-    const rsh_levels levels = bound.levels(desc.width, desc.height);
-    layout.add("nodes", bound.node_bytes(levels));
-    layout.add("build scratch", bound.build_scratch(context, levels).bytes());
+    layout.add_array<cl_uint>("wrong buffers", 1);
+    if (!desc.bounds) layout.add("bounds", bounds.bytes(geometry));
+    layout.add("bound scratch", bounds.scratch(context, geometry, desc.mode).bytes());
+    const rsh_levels levels = shape.levels(desc.width, desc.height);
+    layout.add("nodes", shape.bytes(levels));
+    layout.add("build scratch", shape.scratch(context, levels).bytes());
     const Engine& engine = find_engine(desc.engine);
     layout.add("traverse",
-               engine.scratch(context, traverse_of(desc), SceneBounds::given).bytes());
+               engine.scratch(context, traverse_of(desc), BoundsFrom::caller).bytes());
 }
 
 }  // namespace
 
-const Bound& frame_bound(const rsh_frame_desc& desc) {
-    if (desc.bound != RSH_BOUND_DEFAULT) return find_bound(desc.bound);
-    return find_bound(find_engine(desc.engine).preferred_bound());
+const NodeShape& frame_shape(const rsh_frame_desc& desc) {
+    if (desc.shape != RSH_SHAPE_DEFAULT) return find_shape(desc.shape);
+    return find_shape(find_engine(desc.engine).node_shape());
 }
 
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
@@ -74,7 +76,7 @@ Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
         layout.add_array<rsh_hit>(numbered("hits", bounce), pixels);
         if (bounce > 0) layout.add_array<rsh_float4>(numbered("weights", bounce), pixels);
     }
-    layout.add_array<cl_uint>("active count", 1);
+    layout.add_array<cl_uint>("active count", 2);
     layout.add("rasterize", rasterize_scratch(context, rasterize_of(desc)).bytes());
     if (needs_shadows(desc)) {
         layout.add_array<rsh_ray>("shadow rays", pixels);
@@ -112,8 +114,9 @@ rsh_rasterize_desc FrameMemory::rasterize() const {
 }
 
 rsh_bound_desc FrameMemory::bound() const {
-    return {sizeof(rsh_bound_desc),    desc_.scene->geometry, frame_bound(desc_).id(), bounds(),
-            scratch_["bound scratch"], desc_.update};
+    return {sizeof(rsh_bound_desc),    desc_.scene->geometry,
+            frame_shape(desc_).id(),   bounds(),
+            scratch_["bound scratch"], desc_.mode};
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
@@ -123,7 +126,7 @@ rsh_build_desc FrameMemory::build(cl_uint bounce) const {
             desc_.height,
             scratch_["nodes"],
             0,
-            frame_bound(desc_).id(),
+            frame_shape(desc_).id(),
             scratch_["build scratch"]};
 }
 
@@ -181,7 +184,7 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
             desc_.height,
             scratch_["nodes"],
             desc_.scene->positional_lights >> light & 1,
-            frame_bound(desc_).id(),
+            frame_shape(desc_).id(),
             scratch_["build scratch"]};
 }
 

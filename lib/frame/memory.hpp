@@ -4,8 +4,13 @@
 #pragma once
 
 #include "device/cl/scratch.hpp"
+#include "rays/node_shape.hpp"
 
 namespace rsh {
+
+// The shape of a frame's nodes: the caller's choice, else what suits the engine.
+const NodeShape& frame_shape(const rsh_frame_desc& desc);
+Layout frame_scratch(const Context& context, const rsh_frame_desc& desc);
 
 class FrameMemory {
 public:
@@ -29,6 +34,7 @@ public:
 
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
     cl_mem occlusion() const { return scratch_["occlusion"]; }
+    cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
     cl_mem active_count() const { return scratch_["active count"]; }
 
 private:

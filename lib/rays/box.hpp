@@ -1,24 +1,18 @@
-// box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile
-// (rays/build_boxes.cl); against boxes around leaves of up to 16 triangles, and around nodes of
-// up to 16 of these, and so on (bvh/leaves.cl).
+// box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile, in
+// kernels/rays/build_boxes.cl; against the BVH16 of the scene.
 #pragma once
 
-#include "bvh/layout.hpp"
-#include "rays/bound.hpp"
+#include "rays/node_shape.hpp"
 
 namespace rsh {
 
-class Box final : public Bound {
+class Box final : public NodeShape {
 public:
-    cl_uint id() const noexcept override { return RSH_BOUND_BOX; }
+    cl_uint id() const noexcept override { return RSH_SHAPE_BOX; }
     const char* name() const noexcept override { return "box"; }
     rsh_levels levels(cl_uint width, cl_uint height) const override;
-    size_t node_bytes(const rsh_levels& levels) const override;
-    size_t scene_bytes(const rsh_geometry& geometry) const override;
-    Layout bound_scratch(const Context& context, const rsh_geometry& geometry,
-                         cl_uint update) const override;
-    Layout build_scratch(const Context& context, const rsh_levels& levels) const override;
-    void bound(Recorder& recorder, const rsh_bound_desc& desc) const override;
+    size_t bytes(const rsh_levels& levels) const override;
+    Layout scratch(const Context& context, const rsh_levels& levels) const override;
     void build(Recorder& recorder, const rsh_build_desc& desc) const override;
 };
 

@@ -1,14 +1,14 @@
 // levels.hpp - the shape of a hierarchy, level by level from the rays up.
 #pragma once
 
-#include <rsh/rsh.h>
+#include "rays/types.h"
 
 namespace rsh {
 
-// Level 0 alone. A grid one pixel wide or high is a list as well: its children in a row.
-rsh_levels ray_level(cl_uint width, cl_uint height);
-// Adds the level above the topmost one, which is returned.
-cl_uint add_level(rsh_levels& levels);
+// Nodes of the shape `cone`: 2 x 2 children each, up to a root.
+rsh_levels cone_levels(cl_uint width, cl_uint height);
+// Nodes of the shape `box`: blocks of 4 x 4 rays and tiles of 4 x 4 blocks.
+rsh_levels box_levels(cl_uint width, cl_uint height);
 // 16 children per node, from blocks over tiles up to a root; first_child_group numbers their groups.
 rsh_levels group_levels(cl_uint width, cl_uint height);
 

@@ -5,19 +5,23 @@
 namespace rsh {
 
 // The first one is the default.
-const std::vector<const Bound*>& bounds() {
+const std::vector<const NodeShape*>& node_shapes() {
     static const Box box;
     static const Cone cone;
-    static const std::vector<const Bound*> all = {&box, &cone};
+    static const std::vector<const NodeShape*> all = {&box, &cone};
     return all;
 }
 
-const Bound& find_bound(cl_uint id) {
-    if (id == RSH_BOUND_DEFAULT) return *bounds().front();
-    for (const Bound* bound : bounds())
-        if (bound->id() == id) return *bound;
+const NodeShape& find_shape(cl_uint id) {
+    if (id == RSH_SHAPE_DEFAULT) return *node_shapes().front();
+    for (const NodeShape* shape : node_shapes())
+        if (shape->id() == id) return *shape;
     throw Error(RSH_INVALID_VALUE,
-                "bound: is " + std::to_string(id) + ", must be RSH_BOUND_...");
+                "shape: is " + std::to_string(id) + ", must be RSH_SHAPE_...");
+}
+
+void build(Recorder& recorder, const rsh_build_desc& desc) {
+    find_shape(desc.shape).build(recorder, desc);
 }
 
 }  // namespace rsh

@@ -159,6 +159,7 @@ void selftest(Context& context, cl_command_queue queue, rsh_selftest& report) {
         if (failure.empty()) continue;
         report.unsafe_strategies |= 1u << strategy->id();
         const std::string text = std::string(strategy->name()) + ": " + failure;
+        context.log("strategy masked: " + text);
         if (report.first_failure[0] == '\0')
             std::strncpy(report.first_failure, text.c_str(), sizeof report.first_failure - 1);
     }

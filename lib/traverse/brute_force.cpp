@@ -8,8 +8,7 @@
 namespace rsh {
 namespace {}  // namespace
 
-Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&,
-                           SceneBounds) const {
+Layout BruteForce::scratch(const Context& context, const rsh_traverse_desc&, BoundsFrom) const {
     return Layout(context.caps.alignment);
 }
 

@@ -10,9 +10,9 @@ class BruteForce final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_BRUTE_FORCE; }
     const char* name() const noexcept override { return "brute_force"; }
-    std::vector<cl_uint> bounds() const override { return {}; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_DEFAULT; }
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                   SceneBounds bounds) const override;
+                   BoundsFrom from) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 

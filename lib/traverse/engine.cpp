@@ -1,37 +1,44 @@
 #include "traverse/engine.hpp"
 
-#include "bvh/bound.hpp"
+#include "bvh/scene_bounds.hpp"
 #include "device/error.hpp"
-#include "rays/bound.hpp"
+#include "rays/node_shape.hpp"
 
 namespace rsh {
 
-void check_bound(const Engine& engine, cl_uint bound) {
-    const cl_uint id = find_bound(bound).id();
-    std::string taken;
-    for (const cl_uint own : engine.bounds()) {
-        if (own == id) return;
-        taken += (taken.empty() ? "" : " or ") + std::string(find_bound(own).name());
-    }
-    if (taken.empty()) return;
-    throw Error(RSH_INVALID_VALUE, std::string("bound: is ") + find_bound(bound).name() +
-                                       ", must be " + taken + " with engine " + engine.name());
+void traverse(Recorder& recorder, const rsh_traverse_desc& desc) {
+    find_engine(desc.engine).traverse(recorder, desc);
+    StatisticsLog& statistics = recorder.context().statistics;
+    if (!statistics.enabled()) return;
+    statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
+    recorder.count_later(
+        recorder.wrong_buffers(), 1,
+        [](rsh_statistics& sums, const cl_uint* bits) { sums.wrong_buffers |= *bits; });
+}
+
+void check_node_shape(const Engine& engine, cl_uint shape) {
+    const NodeShape& given = find_shape(shape);
+    const cl_uint taken = engine.node_shape();
+    if (taken == RSH_SHAPE_DEFAULT || taken == given.id()) return;
+    throw Error(RSH_INVALID_VALUE, std::string("shape: is ") + given.name() + ", must be " +
+                                       find_shape(taken).name() + " with engine " +
+                                       engine.name());
 }
 
 void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_desc& desc,
-                    SceneBounds bounds) {
-    if (bounds == SceneBounds::given) return;
-    const Bound& bound = find_bound(desc.bound);
-    scratch.add("bounds", bound.scene_bytes(desc.geometry));
+                    BoundsFrom from) {
+    if (from == BoundsFrom::caller) return;
+    const SceneBounds& bounds = bounds_for(desc.shape);
+    scratch.add("bounds", bounds.bytes(desc.geometry));
     scratch.add("bound scratch",
-                bound.bound_scratch(context, desc.geometry, RSH_UPDATE_NONE).bytes());
+                bounds.scratch(context, desc.geometry, RSH_BOUND_FAST).bytes());
 }
 
 cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch) {
     rsh_bound_desc pass = {};
     pass.struct_size = sizeof pass;
     pass.geometry = desc.geometry;
-    pass.bound = desc.bound;
+    pass.shape = desc.shape;
     pass.bounds = scratch["bounds"];
     pass.scratch = scratch["bound scratch"];
     bound(recorder, pass);

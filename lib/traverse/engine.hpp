@@ -9,11 +9,11 @@
 
 namespace rsh {
 
-// Whether the triangles' bounds are the caller's or the traversal's own.
-enum class SceneBounds { given, made };
+// Who makes the scene's bounds.
+enum class BoundsFrom { caller, traversal };
 
-inline SceneBounds scene_bounds_of(const rsh_traverse_desc& desc) {
-    return desc.bounds ? SceneBounds::given : SceneBounds::made;
+inline BoundsFrom bounds_from(const rsh_traverse_desc& desc) {
+    return desc.bounds ? BoundsFrom::caller : BoundsFrom::traversal;
 }
 
 class Engine {
@@ -21,28 +21,27 @@ public:
     virtual ~Engine() = default;
     virtual cl_uint id() const noexcept = 0;        // RSH_ENGINE_...
     virtual const char* name() const noexcept = 0;  // command lines, logs, benchmarks
-    // The bounds that it takes, the preferred one first; none: it needs neither bounds nor
+    // RSH_SHAPE_... of the nodes that it takes; RSH_SHAPE_DEFAULT: it needs neither bounds nor
     // nodes.
-    virtual std::vector<cl_uint> bounds() const = 0;
-    cl_uint preferred_bound() const {
-        const std::vector<cl_uint> taken = bounds();
-        return taken.empty() ? cl_uint{RSH_BOUND_DEFAULT} : taken.front();
-    }
+    virtual cl_uint node_shape() const noexcept = 0;
     // Reads none of the descriptor's buffers, not even whether they are there.
     virtual Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                           SceneBounds bounds) const = 0;
+                           BoundsFrom bounds) const = 0;
     virtual void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const = 0;
 };
 
 const std::vector<const Engine*>& engines();
 const Engine& find_engine(cl_uint id);  // throws; RSH_ENGINE_DEFAULT: the quickest
 
-// A bound that the engine does not take is refused.
-void check_bound(const Engine& engine, cl_uint bound);
+// Finds what the rays hit.
+void traverse(Recorder& recorder, const rsh_traverse_desc& desc);
+
+// A shape that the engine does not take is refused.
+void check_node_shape(const Engine& engine, cl_uint shape);
 
 // Room for the scene's bounds, and their making, where the caller gives none.
 void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_desc& desc,
-                    SceneBounds bounds);
+                    BoundsFrom from);
 cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scratch& scratch);
 
 // Tells the caller which batch comes; throws when he asks to stop.

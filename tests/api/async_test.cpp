@@ -42,7 +42,7 @@ std::vector<rsh_hit> trace_by_events(const cl::CommandQueue& queue, rsh_context 
     rsh_build_desc build = valid.build();
     rsh_traverse_desc traverse = valid.traverse();
     traverse.engine = RSH_ENGINE_PAPER_FAITHFUL;
-    build.bound = traverse.bound = RSH_BOUND_CONE;
+    build.shape = traverse.shape = RSH_SHAPE_CONE;
     traverse.nodes = build.nodes;
     cl_event built = nullptr, traced = nullptr;
     RSH_CHECK(rsh_build(rsh, queue(), &build, 0, nullptr, &built));

@@ -50,7 +50,7 @@ TEST(Names, OfStrategiesEnginesAndBoundsGoBothWays) {
                       RSH_STRATEGY_BLELLOCH);
     expect_round_trip(rsh_engine_name, rsh_engine_from_name, RSH_ENGINE_PAPER_FAITHFUL,
                       RSH_ENGINE_BRUTE_FORCE);
-    expect_round_trip(rsh_bound_name, rsh_bound_from_name, RSH_BOUND_CONE, RSH_BOUND_BOX);
+    expect_round_trip(rsh_shape_name, rsh_shape_from_name, RSH_SHAPE_CONE, RSH_SHAPE_BOX);
 }
 
 TEST(FindDevice, FindsByPartOfANameAndSaysWhatItSawOtherwise) {

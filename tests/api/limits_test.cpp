@@ -19,7 +19,7 @@ rsh_status query(const rsh_bound_desc* d, rsh_sizes* s) {
     return rsh_bound_query(device().rsh, d, s);
 }
 rsh_status query(const rsh_build_desc* d, rsh_sizes* s) {
-    return rsh_build_query(device().rsh, d, s, nullptr);
+    return rsh_build_query(device().rsh, d, s);
 }
 rsh_status query(const rsh_traverse_desc* d, rsh_sizes* s) {
     return rsh_traverse_query(device().rsh, d, s);
@@ -102,8 +102,8 @@ TEST_F(Queries, OfRasterizeBoundAndBuildRefuseWhatTheCallsRefuse) {
                             [](auto& d) { d.geometry.triangle_count = 1u << 28; });
     refuses<rsh_build_desc>(valid_.build(), "width", [](auto& d) { d.width = 16385; });
     refuses<rsh_build_desc>(valid_.build(), "converging", [](auto& d) { d.converging = 2; });
-    refuses<rsh_bound_desc>(valid_.bound(), "update", [](auto& d) { d.update = 3; });
-    refuses<rsh_frame_desc>(valid_.frame(), "update", [](auto& d) { d.update = 3; });
+    refuses<rsh_bound_desc>(valid_.bound(), "mode", [](auto& d) { d.mode = 3; });
+    refuses<rsh_frame_desc>(valid_.frame(), "mode", [](auto& d) { d.mode = 3; });
 }
 
 TEST_F(Queries, OfReductionsRefuseWhatReductionsRefuse) {
@@ -134,7 +134,7 @@ TEST_F(Queries, ReadNoBuffers) {
 
     rsh_traverse_desc traverse = valid_.traverse();
     traverse.engine = RSH_ENGINE_PAPER_FAITHFUL;
-    traverse.bound = RSH_BOUND_CONE;
+    traverse.shape = RSH_SHAPE_CONE;
     rsh_traverse_desc bare_traverse = traverse;
     bare_traverse.rays = bare_traverse.hits = bare_traverse.geometry.vertices = nullptr;
     expect_same_sizes(traverse, bare_traverse);
@@ -166,7 +166,7 @@ TEST(Limits, OfTheBudgetKeepACountOfCandidatesIn32Bits) {
     const test::ValidCalls valid;
     rsh_traverse_desc desc = valid.traverse();
     desc.engine = RSH_ENGINE_PAPER_FAITHFUL;
-    desc.bound = RSH_BOUND_CONE;
+    desc.shape = RSH_SHAPE_CONE;
     desc.geometry.triangle_count = (1u << 28) - 1;
     desc.width = desc.height = 16384;
     size_t bytes[3] = {};
@@ -188,24 +188,24 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
         EXPECT_EQ(query(&desc, &sizes), RSH_SUCCESS) << rsh_last_error();
         EXPECT_EQ(sizes.struct_size, 24u);
     };
-    takes(valid_.rasterize(), 176);
-    takes(valid_.bound(), 88);
+    takes(valid_.rasterize(), 256);
+    takes(valid_.bound(), 144);
     takes(valid_.build(), 48);
-    takes(valid_.traverse(), 160);
-    takes(valid_.frame(), 176);
+    takes(valid_.traverse(), 216);
+    takes(valid_.frame(), 208);
     takes(valid_.reduce(), 72);
-    EXPECT_EQ(sizeof(rsh_geometry), 48u);
-    EXPECT_EQ(sizeof(rsh_camera), 64u);
+    EXPECT_EQ(sizeof(rsh_geometry), 104u);
+    EXPECT_EQ(sizeof(rsh_camera), 96u);
     rsh_scene scene = valid_.scene.desc;
-    scene.struct_size = 192;
+    scene.struct_size = 256;
     EXPECT_EQ(
         rsh_find_features(&scene, valid_.host.materials.data(), valid_.host.lights.data()),
         RSH_SUCCESS);
-    EXPECT_EQ(scene.struct_size, 192u);
+    EXPECT_EQ(scene.struct_size, 256u);
     rsh_statistics statistics = {};
-    statistics.struct_size = 704;
+    statistics.struct_size = 712;
     EXPECT_EQ(rsh_get_statistics(device().rsh, &statistics), RSH_SUCCESS);
-    EXPECT_EQ(statistics.struct_size, 704u);
+    EXPECT_EQ(statistics.struct_size, 712u);
 }
 
 TEST_F(Queries, OfFeaturesRefuseStructSizes) {

@@ -124,8 +124,8 @@ TEST_F(Misuse, OfBuffersOfAnotherContextIsRefused) {
 
 TEST_F(Misuse, OfBoundsThatAFrameUpdates) {
     const auto desc = valid_.frame();
-    refuses<rsh_frame_desc>(desc, [](auto& d) { d.update = 1; }, RSH_INVALID_VALUE,
-                            {"update", "1", "0 without bounds"});
+    refuses<rsh_frame_desc>(desc, [](auto& d) { d.mode = 1; }, RSH_INVALID_VALUE,
+                            {"mode", "1", "0 without bounds"});
     refuses<rsh_frame_desc>(desc, [&](auto& d) { d.bounds = short_.get(); },
                             RSH_BUFFER_TOO_SMALL, {"bounds", "4 bytes"});
 }
@@ -205,7 +205,7 @@ TEST_F(Misuse, OfGeometryIsRefused) {
                   {"bounds", "NULL"});
     refuses<Desc>(desc, [&](Desc& d) { d.bounds = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                   {"bounds", "4"});
-    refuses<Desc>(desc, [](Desc& d) { d.bound = 77; }, RSH_INVALID_VALUE, {"bound", "77"});
+    refuses<Desc>(desc, [](Desc& d) { d.shape = 77; }, RSH_INVALID_VALUE, {"shape", "77"});
 }
 
 TEST_F(Misuse, OfBuildIsRefused) {
@@ -222,7 +222,7 @@ TEST_F(Misuse, OfBuildIsRefused) {
     refuses<Desc>(desc, [](Desc& d) { d.rays = nullptr; }, RSH_INVALID_VALUE, {"rays", "NULL"});
     refuses<Desc>(desc, [&](Desc& d) { d.nodes = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                   {"nodes", "4"});
-    refuses<Desc>(desc, [](Desc& d) { d.bound = 77; }, RSH_INVALID_VALUE, {"bound", "77"});
+    refuses<Desc>(desc, [](Desc& d) { d.shape = 77; }, RSH_INVALID_VALUE, {"shape", "77"});
 }
 
 TEST_F(Misuse, OfTraverseIsRefused) {
@@ -244,16 +244,16 @@ TEST_F(Misuse, OfTraverseIsRefused) {
                   },
                   RSH_INVALID_VALUE, {"occlusion_bit", "32"});
     refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_PAPER_FAITHFUL; },
-                  RSH_INVALID_VALUE, {"bound", "box", "cone", "paper_faithful"});
+                  RSH_INVALID_VALUE, {"shape", "box", "cone", "paper_faithful"});
     refuses<Desc>(desc,
-                  [](Desc& d) { d.engine = RSH_ENGINE_DEFAULT, d.bound = RSH_BOUND_CONE; },
-                  RSH_INVALID_VALUE, {"bound", "cone", "box", "tiles"});
-    refuses<Desc>(desc, [](Desc& d) { d.bound = 77, d.engine = RSH_ENGINE_DEFAULT; },
-                  RSH_INVALID_VALUE, {"bound", "77"});
+                  [](Desc& d) { d.engine = RSH_ENGINE_DEFAULT, d.shape = RSH_SHAPE_CONE; },
+                  RSH_INVALID_VALUE, {"shape", "cone", "box", "tiles"});
+    refuses<Desc>(desc, [](Desc& d) { d.shape = 77, d.engine = RSH_ENGINE_DEFAULT; },
+                  RSH_INVALID_VALUE, {"shape", "77"});
     for (const cl_uint engine : {RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_TILES}) {
         Desc with_engine = desc;
         with_engine.engine = engine;
-        with_engine.bound = rsh_engine_bound(engine);
+        with_engine.shape = rsh_engine_shape(engine);
         refuses<Desc>(with_engine, [](Desc&) {}, RSH_INVALID_VALUE, {"nodes", "NULL"});
         refuses<Desc>(with_engine, [&](Desc& d) { d.bounds = short_.get(); },
                       RSH_BUFFER_TOO_SMALL, {"bounds", "4"});

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "api/valid_calls.hpp"
+#include "rays/levels.hpp"
 #include "support/compare.hpp"
 
 namespace {
@@ -24,15 +25,16 @@ class PairTraversal {
 public:
     PairTraversal() {
         rsh_build_desc build = valid_.build();
-        build.bound = RSH_BOUND_CONE;
+        build.shape = RSH_SHAPE_CONE;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
-        RSH_CHECK(rsh_build_query(device().rsh, &build, &sizes, &levels));
+        RSH_CHECK(rsh_build_query(device().rsh, &build, &sizes));
+        levels = rsh::cone_levels(build.width, build.height);
         RSH_CHECK(rsh_build(device().rsh, device().queue(), &build, 0, nullptr, nullptr));
         device().queue.finish();
         desc = valid_.traverse();
         desc.engine = RSH_ENGINE_PAPER_FAITHFUL;
-        desc.bound = RSH_BOUND_CONE;
+        desc.shape = RSH_SHAPE_CONE;
         desc.nodes = build.nodes;
     }
 

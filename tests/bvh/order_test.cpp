@@ -201,7 +201,7 @@ TEST(RayOrder, SortsListsWithoutNeighbours) {
     Rays rays = sheet_of_rays(test::small() ? 32 : 128);
     for (size_t i = rays.rays.size() - 1; i > 0; --i)
         std::swap(rays.rays[i], rays.rays[random.below(uint32_t(i + 1))]);
-    const auto built = test::build_nodes(rays, RSH_BOUND_BOX, false);
+    const auto built = test::build_nodes(rays, RSH_SHAPE_BOX, false);
     const test::RayOrder order = test::ray_order(built);
     EXPECT_TRUE(order.is_sorted);
     expect_permutation(order.rays);
@@ -214,7 +214,7 @@ TEST(RayOrder, SortsListsWithoutNeighbours) {
 
 TEST(RayOrder, LeavesListsOfNeighboursAlone) {
     const Rays rays = sheet_of_rays(test::small() ? 80 : 128);
-    EXPECT_FALSE(test::ray_order(test::build_nodes(rays, RSH_BOUND_BOX, false)).is_sorted);
+    EXPECT_FALSE(test::ray_order(test::build_nodes(rays, RSH_SHAPE_BOX, false)).is_sorted);
     expect_contains_all(rays, false);
 }
 
@@ -223,7 +223,7 @@ TEST(RayOrder, SortsRaysFromOnePointByTheirOctant) {
     test::Random random(10);
     Rays rays = {std::vector<rsh_ray>(1024), 1024, 1};
     for (rsh_ray& ray : rays.rays) ray = test::make_ray(Float3(1, 2, 3), random.direction());
-    const test::RayOrder order = test::ray_order(test::build_nodes(rays, RSH_BOUND_BOX, false));
+    const test::RayOrder order = test::ray_order(test::build_nodes(rays, RSH_SHAPE_BOX, false));
     EXPECT_TRUE(order.is_sorted);
     int changes = 0;
     for (size_t i = 1; i < order.rays.size(); ++i)

@@ -80,8 +80,8 @@ rsh_bound_desc bound_desc(const rsh_geometry& geometry, cl_uint bound, cl_uint u
     rsh_bound_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.geometry = geometry;
-    desc.bound = bound;
-    desc.update = update;
+    desc.shape = bound;
+    desc.mode = update;
     return desc;
 }
 
@@ -108,17 +108,17 @@ class KeptFrames {
 public:
     KeptFrames(cl_uint engine, const Mesh& largest)
         : bounds_(bounds_bytes(bound_desc(DeviceMesh(largest).geometry(),
-                                          rsh_engine_bound(engine), RSH_UPDATE_FIRST))) {
+                                          rsh_engine_shape(engine), RSH_BOUND_QUALITY))) {
         options_.engine = engine;
         options_.bounds = bounds_.get();
-        options_.update = RSH_UPDATE_FIRST;
+        options_.update = RSH_BOUND_QUALITY;
     }
 
     std::vector<cl_float4> render(const test::DeviceScene& scene, test::FrameOptions options) {
         options.engine = options_.engine;
         options.bounds = options_.bounds;
         options.update = options_.update;
-        options_.update = RSH_UPDATE_NEXT;
+        options_.update = RSH_BOUND_REFIT;
         const auto pixels = test::frame(scene, options);
         EXPECT_TRUE(bounds_.guards_intact());
         return pixels;
@@ -155,7 +155,7 @@ TEST(Recount, LeavesThePixelsOfBruteForce) {
 // Words from `first` to `end` of bounds that were made in order become noise; then an update.
 void expect_update_within_buffers(const DeviceMesh& mesh, test::Random& random, size_t first,
                                   size_t end) {
-    rsh_bound_desc desc = bound_desc(mesh.geometry(), RSH_BOUND_BOX, RSH_UPDATE_FIRST);
+    rsh_bound_desc desc = bound_desc(mesh.geometry(), RSH_SHAPE_BOX, RSH_BOUND_QUALITY);
     const test::Buffer<uint32_t> bounds(bounds_bytes(desc) / 4);
     desc.bounds = bounds.get();
     RSH_CHECK(
@@ -163,7 +163,7 @@ void expect_update_within_buffers(const DeviceMesh& mesh, test::Random& random, 
     std::vector<uint32_t> words = bounds.read();
     for (size_t i = first; i < end; ++i) words[i] = uint32_t(random.bits());
     bounds.write(words);
-    desc.update = RSH_UPDATE_NEXT;
+    desc.mode = RSH_BOUND_REFIT;
     RSH_CHECK(
         rsh_bound(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
     test::device().queue.finish();

@@ -80,7 +80,7 @@ TEST(BoundLayout, ReadsOffsetsAndStrides) {
 
     rsh_bound_desc desc = {};
     desc.struct_size = sizeof desc;
-    desc.bound = RSH_BOUND_CONE;
+    desc.shape = RSH_SHAPE_CONE;
     desc.geometry.vertices = vertex_buffer.get();
     desc.geometry.vertices_offset = 20;
     desc.geometry.vertex_stride = 28;

@@ -134,7 +134,7 @@ TEST(Frame, GivesTheSameBytesWithBoundsThatItUpdates) {
     rsh_bound_desc bound = {};
     bound.struct_size = sizeof bound;
     bound.geometry = scene.desc.geometry;
-    bound.bound = RSH_BOUND_BOX;
+    bound.shape = RSH_SHAPE_BOX;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
     RSH_CHECK(rsh_bound_query(test::device().rsh, &bound, &sizes));

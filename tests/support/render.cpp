@@ -70,7 +70,7 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
     desc.budget = options.budget;
     desc.colour = colour.get();
     desc.bounds = options.bounds;
-    desc.update = options.update;
+    desc.mode = options.update;
     std::unique_ptr<Bytes> scratch;
     if (options.own_scratch) {
         rsh_sizes sizes = {};

@@ -1,6 +1,7 @@
 // trace.cpp - descriptors, buffers and waiting, once for all tests.
 #include "support/trace.hpp"
 #include "bvh/types.h"
+#include "rays/levels.hpp"
 #include "rays/types.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ public:
         desc.width = rays.width;
         desc.height = rays.height;
         desc.engine = options.engine;
-        desc.bound = options.bound ? options.bound : rsh_engine_bound(options.engine);
+        desc.shape = options.bound ? options.bound : rsh_engine_shape(options.engine);
         desc.strategy = options.strategy;
         desc.budget = options.budget;
         if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes(options.converging);
@@ -59,10 +60,10 @@ private:
         build.width = desc.width;
         build.height = desc.height;
         build.converging = converging;
-        build.bound = desc.bound;
+        build.shape = desc.shape;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
-        RSH_CHECK(rsh_build_query(context_, &build, &sizes, nullptr));
+        RSH_CHECK(rsh_build_query(context_, &build, &sizes));
         nodes_ = std::make_unique<Bytes>(sizes.output_bytes);
         build.nodes = desc.nodes = nodes_->get();
         RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
@@ -73,7 +74,7 @@ private:
         frames.push_back(&mesh);
         rsh_bound_desc bound = {};
         bound.struct_size = sizeof bound;
-        bound.bound = desc.bound;
+        bound.shape = desc.shape;
         size_t bytes = 0;
         for (const DeviceMesh* frame : frames) {
             bound.geometry = frame->geometry();
@@ -84,11 +85,11 @@ private:
         }
         bounds_ = std::make_unique<Bytes>(bytes);
         bound.bounds = desc.bounds = bounds_->get();
-        bound.update = is_kept ? RSH_UPDATE_FIRST : RSH_UPDATE_NONE;
+        bound.mode = is_kept ? RSH_BOUND_QUALITY : RSH_BOUND_FAST;
         for (const DeviceMesh* frame : frames) {
             bound.geometry = frame->geometry();
             RSH_CHECK(rsh_bound(context_, device().queue(), &bound, 0, nullptr, nullptr));
-            bound.update = RSH_UPDATE_NEXT;
+            bound.mode = RSH_BOUND_REFIT;
         }
     }
 
@@ -117,11 +118,13 @@ BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging) {
     desc.width = rays.width;
     desc.height = rays.height;
     desc.converging = converging;
-    desc.bound = bound;
+    desc.shape = bound;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
     BuiltNodes made;
-    RSH_CHECK(rsh_build_query(device().rsh, &desc, &sizes, &made.levels));
+    RSH_CHECK(rsh_build_query(device().rsh, &desc, &sizes));
+    made.levels = bound == RSH_SHAPE_CONE ? rsh::cone_levels(desc.width, desc.height)
+                                          : rsh::box_levels(desc.width, desc.height);
     const Buffer<uint8_t> nodes(sizes.output_bytes);
     const Buffer<uint8_t> scratch(std::max<size_t>(sizes.scratch_bytes, 1));
     desc.nodes = nodes.get();
@@ -141,7 +144,8 @@ RayOrder ray_order(const BuiltNodes& built) {
     std::iota(order.rays.begin(), order.rays.end(), 0u);
     if (!l.is_list) return order;
     std::vector<uint32_t> behind(count + 1);
-    std::memcpy(behind.data(), built.bytes.data() + tiles * sizeof(box_node16),
+    std::memcpy(behind.data(),
+                built.bytes.data() + sizeof(nodes_head) + tiles * sizeof(box_node16),
                 behind.size() * sizeof behind[0]);
     order.is_sorted = behind[count] != 0;
     behind.pop_back();
@@ -150,7 +154,7 @@ RayOrder ray_order(const BuiltNodes& built) {
 }
 
 Hierarchy build(const Rays& rays) {
-    const BuiltNodes made = build_nodes(rays, RSH_BOUND_CONE, false);
+    const BuiltNodes made = build_nodes(rays, RSH_SHAPE_CONE, false);
     return {made.levels, nodes_of<cone_node4>(made)};
 }
 
@@ -163,7 +167,7 @@ public:
     BoundFrames(const DeviceMesh& mesh, cl_uint bound) {
         desc_.struct_size = sizeof desc_;
         desc_.geometry = mesh.geometry();
-        desc_.bound = bound;
+        desc_.shape = bound;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_bound_query(device().rsh, &desc_, &sizes));
@@ -175,7 +179,7 @@ public:
 
     std::vector<T> bound(const DeviceMesh& mesh, cl_uint update) {
         desc_.geometry = mesh.geometry();
-        desc_.update = update;
+        desc_.mode = update;
         RSH_CHECK(rsh_bound(device().rsh, device().queue(), &desc_, 0, nullptr, nullptr));
         expect_guards(bounds_->guards_intact(), "bounds");
         return bounds_->read();
@@ -204,11 +208,11 @@ SceneBvh scene_bvh(const std::vector<uint32_t>& words, uint32_t triangles) {
 }
 
 std::vector<SceneBvh> bvhs_of(const std::vector<const DeviceMesh*>& frames, cl_uint first) {
-    BoundFrames<uint32_t> bounds(*frames[0], RSH_BOUND_BOX);
+    BoundFrames<uint32_t> bounds(*frames[0], RSH_SHAPE_BOX);
     std::vector<SceneBvh> made;
     for (const DeviceMesh* mesh : frames)
         made.push_back(
-            scene_bvh(bounds.bound(*mesh, made.empty() ? first : cl_uint{RSH_UPDATE_NEXT}),
+            scene_bvh(bounds.bound(*mesh, made.empty() ? first : cl_uint{RSH_BOUND_REFIT}),
                       mesh->geometry().triangle_count));
     return made;
 }
@@ -216,7 +220,10 @@ std::vector<SceneBvh> bvhs_of(const std::vector<const DeviceMesh*>& frames, cl_u
 }  // namespace
 
 std::vector<cl_float4> bound(const DeviceMesh& mesh) {
-    return BoundFrames<cl_float4>(mesh, RSH_BOUND_CONE).bound(mesh, RSH_UPDATE_NONE);
+    std::vector<cl_float4> made =
+        BoundFrames<cl_float4>(mesh, RSH_SHAPE_CONE).bound(mesh, RSH_BOUND_FAST);
+    made.erase(made.begin(), made.begin() + sizeof(spheres_head) / sizeof(cl_float4));
+    return made;
 }
 
 SceneBvh build_bvh(const DeviceMesh& mesh) {
@@ -224,17 +231,17 @@ SceneBvh build_bvh(const DeviceMesh& mesh) {
 }
 
 std::vector<SceneBvh> refitted_bvhs(const std::vector<const DeviceMesh*>& frames) {
-    return bvhs_of(frames, RSH_UPDATE_NONE);
+    return bvhs_of(frames, RSH_BOUND_FAST);
 }
 
 std::vector<SceneBvh> kept_bvhs(const std::vector<const DeviceMesh*>& frames) {
-    return bvhs_of(frames, RSH_UPDATE_FIRST);
+    return bvhs_of(frames, RSH_BOUND_QUALITY);
 }
 
 SceneBvh bvh_refitted_from(const DeviceMesh& mesh, uint8_t byte) {
-    BoundFrames<uint32_t> bounds(mesh, RSH_BOUND_BOX);
+    BoundFrames<uint32_t> bounds(mesh, RSH_SHAPE_BOX);
     bounds.fill(0x01010101u * byte);
-    return scene_bvh(bounds.bound(mesh, RSH_UPDATE_NEXT), mesh.geometry().triangle_count);
+    return scene_bvh(bounds.bound(mesh, RSH_BOUND_REFIT), mesh.geometry().triangle_count);
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

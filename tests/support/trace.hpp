@@ -45,7 +45,8 @@ BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging);
 template <class Node>
 std::vector<Node> nodes_of(const BuiltNodes& built) {
     std::vector<Node> nodes(built.bytes.size() / sizeof(Node));
-    std::memcpy(nodes.data(), built.bytes.data(), nodes.size() * sizeof(Node));
+    std::memcpy(nodes.data(), built.bytes.data() + sizeof(nodes_head),
+                nodes.size() * sizeof(Node));
     return nodes;
 }
 
@@ -75,7 +76,7 @@ SceneBvh bvh_refitted_from(const DeviceMesh& mesh, uint8_t byte);
 
 struct TraceOptions {
     cl_uint engine = RSH_ENGINE_DEFAULT;
-    cl_uint bound = RSH_BOUND_DEFAULT;  // what the engine prefers
+    cl_uint bound = RSH_SHAPE_DEFAULT;  // what the engine prefers
     cl_uint strategy = RSH_STRATEGY_DEFAULT;
     size_t budget = 0;
     bool own_scratch = false;  // the caller's scratch instead of the context's pool

@@ -18,19 +18,19 @@ inline std::vector<TraceOptions> all_ways() {
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
     for (desc.engine = 1; rsh_engine_name(desc.engine); ++desc.engine)
-        for (desc.bound = 1; rsh_bound_name(desc.bound); ++desc.bound) {
+        for (desc.shape = 1; rsh_shape_name(desc.shape); ++desc.shape) {
             if (desc.engine == RSH_ENGINE_BRUTE_FORCE) continue;
             if (rsh_traverse_query(device().rsh, &desc, &sizes) != RSH_SUCCESS) continue;
             TraceOptions way;
             way.engine = desc.engine;
-            way.bound = desc.bound;
+            way.bound = desc.shape;
             ways.push_back(way);
         }
     return ways;
 }
 
 inline std::string name_of(const TraceOptions& way) {
-    const char* bound = rsh_bound_name(way.bound);
+    const char* bound = rsh_shape_name(way.bound);
     return rsh_engine_name(way.engine) + std::string(bound ? std::string(", ") + bound : "");
 }
 

@@ -7,6 +7,7 @@
  * that finishes ranges does for a tile what the levels below it would have done.
  */
 #include "bvh/layout.h"
+#include "rays/nodes_head.h"
 #include "traverse/paper/intersect_ranges.h"
 #include "traverse/paper/ranges.h"
 #include "traverse/paper/siblings.h"
@@ -70,11 +71,11 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
 }
 
 /* A work-item takes a tile whose ancestor at step.level + 1 was left over by the stream: its
- * triangles against the blocks, and the rays of those. groups: of the tiles' children. */
+ * triangles against the blocks, and the rays of those. nodes: those of rsh_build. */
 __kernel void rsh_intersect_ranges_finish(
     rsh_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
     __global const uint* indices, __global const rsh_ray* rays, __global const float* bounds,
-    __global const float* groups, __global const uint* triangles, __global const uint2* ranges,
+    __global const float* nodes, __global const uint* triangles, __global const uint2* ranges,
     __global const uint* sums, __global rsh_hit* hits, __global uint* occlusion,
     uint occlusion_bit, __global uint* tally)
 {
@@ -86,9 +87,9 @@ __kernel void rsh_intersect_ranges_finish(
     const triangle_range range = range_of_parent(step, ranges, ancestor);
     const range_target target = {mesh, vertices,  indices,       rays,
                                  hits, occlusion, occlusion_bit, bounds};
-    const ray_tile tile = tile_at(shape, (__global const uint*)groups, me);
+    const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
     sibling_nodes blocks;
-    load_siblings(&blocks, groups + (ulong)RSH_GROUP_FLOATS * me);
+    load_siblings(&blocks, nodes + RSH_NODES_HEAD_WORDS + (ulong)RSH_GROUP_FLOATS * me);
     gathered_triangles gathered;
     gathered.count = 0;
     uint pairs = 0;

@@ -9,16 +9,20 @@
  *   tally            out  what statistics need; see RSH_TALLY_...
  * A work-item takes a slice of a parent's range. Does not look at rays.
  */
+#include "rays/nodes_head.h"
 #include "traverse/paper/ranges.h"
 #include "traverse/paper/siblings.h"
+#include "traverse/wrong_buffers.h"
 
 #define RSH_CHILDREN ((uint16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 
-__kernel void rsh_traverse_ranges_count(range_step step, __global const float* bounds,
-                                        __global const float* groups,
-                                        __global const uint* triangles,
-                                        __global const uint2* ranges, __global ushort* masks,
-                                        __global uint* counts, __global uint* sums)
+/* groups: from word first_word of `groups` on. At the root the traversal ends where bounds or
+ * nodes are not its own: no triangle meets anything. */
+__kernel void rsh_traverse_ranges_count(
+    range_step step, bvh_layout scene_shape, rsh_levels shape, __global const float* bounds,
+    __global const float* nodes, __global const float* groups, uint first_word,
+    volatile __global uint* wrong, __global const uint* triangles, __global const uint2* ranges,
+    __global ushort* masks, __global uint* counts, __global uint* sums)
 {
     const uint me = get_global_id(0);
     if (me >= step.parents * step.slices) return; /* launch is rounded up to whole groups */
@@ -26,12 +30,17 @@ __kernel void rsh_traverse_ranges_count(range_step step, __global const float* b
     const triangle_range slice =
         slice_of(range_of_parent(step, ranges, parent), me % step.slices, step.slices);
     uint16 count = (uint16)(0);
+    const bool is_right =
+        !step.is_root || are_right(are_made_of(bounds, scene_shape),
+                                   nodes_are_of(shape, RSH_BOXES_MADE, nodes), wrong);
     if (slice.count > 0) {
-        sibling_nodes nodes;
-        load_siblings(&nodes,
-                      groups + (ulong)RSH_GROUP_FLOATS * (step.first_child_group + parent));
+        sibling_nodes siblings;
+        load_siblings(
+            &siblings,
+            groups + first_word + (ulong)RSH_GROUP_FLOATS * (step.first_child_group + parent));
         for (uint i = slice.begin; i < slice.begin + slice.count; ++i) {
-            const uint met = siblings_meeting(&nodes, bounds, triangle_at(step, triangles, i));
+            const uint triangle = triangle_at(step, triangles, i);
+            const uint met = is_right ? siblings_meeting(&siblings, bounds, triangle) : 0;
             masks[i] = (ushort)met;
             count += ((uint16)(met) >> RSH_CHILDREN) & (uint16)(1);
         }

@@ -2,8 +2,10 @@
 #ifndef RSH_TRAVERSE_PAPER_FAITHFUL_TEST_PAIRS_H
 #define RSH_TRAVERSE_PAPER_FAITHFUL_TEST_PAIRS_H
 
+#include "bvh/spheres.h"
 #include "rays/cone_sphere.h"
 #include "rays/levels.h"
+#include "rays/nodes_head.h"
 #include "traverse/paper_faithful/types.h"
 
 #if RSH_WIDTH == 16
@@ -27,14 +29,15 @@ RSH_DEFINE_CONE_SPHERE(quads_meet, float4, int4)
 
 /* Lanes 4 i .. 4 i + 3 tell which children of pair i survive: -1, else 0. */
 static void test_pairs(const rsh_levels* levels, uint level, const stream_pair* pairs,
-                       __global const float4* spheres, __global const cone_node4* quads,
-                       int* survives)
+                       __global const float4* bounds, __global const uint* nodes, int* survives)
 {
+    __global const cone_node4* quads =
+        (__global const cone_node4*)(nodes + RSH_NODES_HEAD_WORDS);
     __global const cone_node4* q[RSH_PAIRS];
     float4 s[RSH_PAIRS];
     for (uint i = 0; i < RSH_PAIRS; ++i) {
         q[i] = quads + quad_index(levels, level, pairs[i].node);
-        s[i] = spheres[pairs[i].triangle];
+        s[i] = bounds[RSH_SPHERES_AT + pairs[i].triangle];
     }
     const quads_meet_lanes lanes = {
         RSH_QUAD_MEMBER(apex_x), RSH_QUAD_MEMBER(apex_y), RSH_QUAD_MEMBER(apex_z),

@@ -9,6 +9,7 @@
  */
 #include "lanes/stride.h"
 #include "traverse/paper_faithful/test_pairs.h"
+#include "traverse/wrong_buffers.h"
 
 static void write_children(const rsh_levels* levels, uint level, stream_pair pair,
                            const int* survives, ulong at, __global uint* tested_pairs)
@@ -24,11 +25,11 @@ static void write_children(const rsh_levels* levels, uint level, stream_pair pai
 /* Pairs first .. first + count - 1, at most RSH_PAIRS of them; the last one fills up the
  * vector. */
 static void test_group(const rsh_levels* levels, uint level, const stream_pair* pairs,
-                       uint first, uint count, __global const float4* spheres,
-                       __global const cone_node4* quads, __global uint* tested_pairs)
+                       uint first, uint count, __global const float4* bounds,
+                       __global const uint* nodes, __global uint* tested_pairs)
 {
     int survives[4 * RSH_PAIRS];
-    test_pairs(levels, level, pairs, spheres, quads, survives);
+    test_pairs(levels, level, pairs, bounds, nodes, survives);
     for (uint i = 0; i < count; ++i)
         write_children(levels, level, pairs[i], survives + 4 * i, first + i, tested_pairs);
 }
@@ -36,8 +37,7 @@ static void test_group(const rsh_levels* levels, uint level, const stream_pair* 
 static uint group_count(uint count) { return count / RSH_PAIRS + (count % RSH_PAIRS != 0); }
 
 __kernel void rsh_traverse_level(rsh_levels shape, uint level, uint limit,
-                                 __global const float4* spheres,
-                                 __global const cone_node4* quads,
+                                 __global const float4* bounds, __global const uint* nodes,
                                  __global const stream_pair* pairs,
                                  __global const uint* pair_count, __global uint* tested_pairs,
                                  __global uint* tested_count)
@@ -50,18 +50,23 @@ __kernel void rsh_traverse_level(rsh_levels shape, uint level, uint limit,
         const uint first = g * RSH_PAIRS;
         stream_pair group[RSH_PAIRS];
         for (uint i = 0; i < RSH_PAIRS; ++i) group[i] = pairs[min(first + i, count - 1)];
-        test_group(&levels, level, group, first, min((uint)RSH_PAIRS, count - first), spheres,
-                   quads, tested_pairs);
+        test_group(&levels, level, group, first, min((uint)RSH_PAIRS, count - first), bounds,
+                   nodes, tested_pairs);
     }
 }
 
-/* The same at the root: pair i is (first + i, root). */
+/* The same at the root: pair i is (first + i, root). None at all where bounds or nodes are not
+ * those of this traversal. */
 __kernel void rsh_traverse_level_root(rsh_levels shape, uint level, uint first_triangle,
-                                      uint count, __global const float4* spheres,
-                                      __global const cone_node4* quads,
-                                      __global uint* tested_pairs, __global uint* tested_count)
+                                      uint count, __global const float4* bounds,
+                                      __global const uint* nodes, __global uint* tested_pairs,
+                                      __global uint* tested_count, uint triangles,
+                                      volatile __global uint* wrong)
 {
     const rsh_levels levels = shape;
+    if (!are_right(spheres_are_of(triangles, bounds),
+                   nodes_are_of(shape, RSH_CONES_MADE, nodes), wrong))
+        count = 0;
     if (get_global_id(0) == 0) *tested_count = 4 * count;
     const strided_range mine = my_elements(group_count(count));
     for (uint g = mine.begin; g < mine.end; g += mine.step) {
@@ -69,7 +74,7 @@ __kernel void rsh_traverse_level_root(rsh_levels shape, uint level, uint first_t
         stream_pair group[RSH_PAIRS];
         for (uint i = 0; i < RSH_PAIRS; ++i)
             group[i] = (stream_pair){first_triangle + min(first + i, count - 1), 0};
-        test_group(&levels, level, group, first, min((uint)RSH_PAIRS, count - first), spheres,
-                   quads, tested_pairs);
+        test_group(&levels, level, group, first, min((uint)RSH_PAIRS, count - first), bounds,
+                   nodes, tested_pairs);
     }
 }

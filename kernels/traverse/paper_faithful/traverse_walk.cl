@@ -33,13 +33,13 @@ static void add_pair(const hit_target* target, walk_lists* walk, uint level, str
 
 /* Tests up to RSH_PAIRS pairs with nodes of level + 1 and lists the survivors at `level`. */
 static void descend(const hit_target* target, const rsh_levels* levels, uint level,
-                    const stream_pair* pairs, uint count, __global const float4* spheres,
-                    __global const cone_node4* quads, walk_lists* walk)
+                    const stream_pair* pairs, uint count, __global const float4* bounds,
+                    __global const uint* nodes, walk_lists* walk)
 {
     stream_pair group[RSH_PAIRS];
     int survives[4 * RSH_PAIRS];
     for (uint i = 0; i < RSH_PAIRS; ++i) group[i] = pairs[min(i, count - 1)];
-    test_pairs(levels, level, group, spheres, quads, survives);
+    test_pairs(levels, level, group, bounds, nodes, survives);
     for (uint i = 0; i < count; ++i) {
         uint name[4];
         vstore4(child_names(levels, level, group[i].node), 0, name);
@@ -51,7 +51,7 @@ static void descend(const hit_target* target, const rsh_levels* levels, uint lev
 
 /* Empties the lists up to the one at `top`. */
 static void walk_down(const hit_target* target, const rsh_levels* levels, uint top,
-                      __global const float4* spheres, __global const cone_node4* quads,
+                      __global const float4* bounds, __global const uint* nodes,
                       walk_lists* walk)
 {
     uint level = top;
@@ -65,16 +65,15 @@ static void walk_down(const hit_target* target, const rsh_levels* levels, uint t
         const stream_pair* pairs = walk->pairs[level] + walk->count[level];
         for (uint i = 0; i < taken; i += RSH_PAIRS)
             descend(target, levels, level - 1, pairs + i, min((uint)RSH_PAIRS, taken - i),
-                    spheres, quads, walk);
+                    bounds, nodes, walk);
         if (level > 1) --level;
     }
 }
 
 __kernel void rsh_traverse_walk(rsh_levels shape, uint level, uint limit, mesh_view mesh,
                                 __global const float* vertices, __global const uint* indices,
-                                __global const rsh_ray* rays, __global const float4* spheres,
-                                __global const cone_node4* quads,
-                                __global const stream_pair* pairs,
+                                __global const rsh_ray* rays, __global const float4* bounds,
+                                __global const uint* nodes, __global const stream_pair* pairs,
                                 __global const uint* pair_count, __global rsh_hit* hits,
                                 __global uint* occlusion, uint occlusion_bit)
 {
@@ -90,7 +89,7 @@ __kernel void rsh_traverse_walk(rsh_levels shape, uint level, uint limit, mesh_v
         add_pair(&target, &walk, level + 1, pairs[limit + i]);
         const bool is_last = i + mine.step >= mine.end;
         if (is_last || walk.count[level + 1] == RSH_TAKEN)
-            walk_down(&target, &levels, level + 1, spheres, quads, &walk);
+            walk_down(&target, &levels, level + 1, bounds, nodes, &walk);
     }
     if (walk.hit_count > 0) intersect_pairs(&target, walk.hits, walk.hit_count);
 }

@@ -10,8 +10,10 @@
  * 15 boxes per node on the way down. Whatever a decision below costs or saves, it only
  * leaves out tests that cannot succeed.
  */
+#include "rays/nodes_head.h"
 #include "traverse/tiles/descend_packet.h"
 #include "traverse/tiles/packet_cost.h"
+#include "traverse/wrong_buffers.h"
 #include "tuning.h"
 
 /* Blocks of the tile that go down the boxes together. */
@@ -154,6 +156,13 @@ static uint begin_tile(traversal_state* state)
     return active;
 }
 
+/* The tile finds nothing. */
+static uint begin_nothing(traversal_state* state)
+{
+    state->loaded = state->node_tests = state->ray_tests = 0;
+    return 0;
+}
+
 static void measure_scene(traversal_state* state)
 {
     boxes16 top;
@@ -183,23 +192,26 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
 __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, rsh_levels shape,
                                  __global const rsh_ray* rays, __global const float* nodes,
                                  __global rsh_hit* hits, __global uint* occlusion,
-                                 uint occlusion_bit, uint is_counting, __global uint* counts)
+                                 uint occlusion_bit, uint is_counting, __global uint* counts,
+                                 volatile __global uint* wrong)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
     bvh_view scene;
     scene.layout = layout;
     scene.words = bvh;
-    scene.top = const_head_of(bvh)->nodes.end - 1;
     scene.leaves = (float)((layout.triangles + 15) / 16);
     traversal_state state;
     state.scene = &scene;
     state.rays = rays;
-    state.nodes = nodes + 16ul * RSH_NODE_ROWS * me;
-    state.tile = tile_at(shape, (__global const uint*)nodes, me);
+    state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     state.is_any = occlusion_bit != 0;
-    const uint active = begin_tile(&state);
+    const bool is_right = are_right(!layout.triangles || are_made_of(bvh, layout),
+                                    nodes_are_of(shape, RSH_BOXES_MADE, nodes), wrong);
+    state.tile = tile_at(shape, is_right ? (__global const uint*)nodes : 0, me);
+    const uint active = is_right ? begin_tile(&state) : begin_nothing(&state);
     if (active && layout.triangles) {
+        scene.top = const_head_of(bvh)->nodes.end - 1;
         measure_scene(&state);
         traverse_tile(&state, active);
     }

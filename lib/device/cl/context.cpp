@@ -14,6 +14,11 @@ cl::Device checked_device(const cl::Context& context, cl_device_id device) {
     throw Error(RSH_INVALID_VALUE, "device: is not one of the context's devices");
 }
 
+cl::Buffer zeroed_word(const cl::Context& context) {
+    cl_uint zero = 0;
+    return {context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, sizeof zero, &zero};
+}
+
 cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
     if (requested == 0) return caps.is_cpu ? caps.vector_width : 1;
     if (requested == 1 || requested == 4 || requested == 8 || requested == 16) return requested;
@@ -63,9 +68,11 @@ Context::Context(const rsh_context_desc& desc)
       device(checked_device(cl, desc.device)),
       caps(device),
       vector_width(checked_width(desc.vector_width, caps)),
-      programs(cl, device, caps, build_options(vector_width, caps),
+      log(desc.log, desc.log_user),
+      programs(cl, device, caps, log, build_options(vector_width, caps),
                BinaryCache::folder_for(desc.cache_dir), kernel_folder(desc.kernel_dir)),
-      pool(cl) {}
+      pool(cl),
+      wrong_buffers_(zeroed_word(cl)) {}
 
 cl::Device find_device(const char* name) {
     if (!name) name = std::getenv("RSH_DEVICE");

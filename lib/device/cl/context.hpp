@@ -10,6 +10,7 @@
 #include "device/cl/programs.hpp"
 #include "device/cl/scratch_pool.hpp"
 #include "device/cl/statistics_log.hpp"
+#include "device/log.hpp"
 
 namespace rsh {
 
@@ -21,11 +22,18 @@ public:
     cl::Device device;
     DeviceCaps caps;
     cl_uint vector_width;
+    Log log;
     Programs programs;
     ScratchPool pool;
     StatisticsLog statistics;
     // Bit s: the strategy of value s gives wrong answers here; see rsh_device_selftest.
     std::atomic<cl_uint> unsafe_strategies{0};
+
+    // A word on the device: what traversals met that was not made for them, RSH_WRONG_...
+    cl_mem wrong_buffers() const { return wrong_buffers_(); }
+
+private:
+    cl::Buffer wrong_buffers_;
 };
 
 // RSH_DEVICE or `name` as a substring of platform or device; see rsh_find_device.

@@ -42,8 +42,10 @@ void IdleKernels::give_back(cl::Kernel kernel) noexcept {
 }
 
 Programs::Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
-                   std::string options, std::string cache_folder, std::string kernel_folder)
-    : context_(std::move(context)),
+                   const Log& log, std::string options, std::string cache_folder,
+                   std::string kernel_folder)
+    : log_(log),
+      context_(std::move(context)),
       device_(std::move(device)),
       identity_(caps.identity),
       options_(std::move(options)),
@@ -73,10 +75,15 @@ cl::Program Programs::make(const KernelName& name) {
     const std::string key =
         std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' + source;
     cl::Program program = load(key, options);
-    if (program()) return program;
+    if (program()) {
+        log_(std::string(name.program) + ".cl: taken from the disk cache");
+        return program;
+    }
     const auto start = std::chrono::steady_clock::now();
     program = compile(name, source, options);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    log_(std::string(name.program) + ".cl: compiled in " + std::to_string(seconds.count()) +
+         " s with " + options);
     if (seconds.count() > kSlowSeconds && cache_.was_wanted(key)) store(key, program);
     return program;
 }

@@ -14,6 +14,7 @@
 #include "device/cl/binary_cache.hpp"
 #include "device/cl/device_caps.hpp"
 #include "device/cl/opencl.hpp"
+#include "device/log.hpp"
 
 namespace rsh {
 
@@ -54,7 +55,7 @@ private:
 
 class Programs {
 public:
-    Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
+    Programs(cl::Context context, cl::Device device, const DeviceCaps& caps, const Log& log,
              std::string options, std::string cache_folder, std::string kernel_folder);
     ~Programs();
 
@@ -72,6 +73,7 @@ private:
                         const std::string& options);
     void store(const std::string& key, const cl::Program& program) const;
 
+    const Log& log_;
     cl::Context context_;
     cl::Device device_;
     std::string identity_;

@@ -5,7 +5,10 @@
 namespace rsh {
 
 Recorder::Recorder(Context& context, const Submission& submission, cl_event* done)
-    : context_(context), queue_(submission.queue, true), done_(done) {
+    : context_(context),
+      queue_(submission.queue, true),
+      done_(done),
+      wrong_buffers_(context.wrong_buffers()) {
     waits_.reserve(submission.wait_count + 1);  // to keep the last command is not to fail
     for (cl_uint i = 0; i < submission.wait_count; ++i)
         waits_.emplace_back(submission.wait_list[i], true);
@@ -71,14 +74,26 @@ void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use)
     context_.statistics.add_read(std::move(read));
 }
 
-cl_uint Recorder::read_now(cl_mem buffer) {
-    cl_uint word = 0;
+void Recorder::own_wrong_buffers(cl_mem word) {
+    wrong_buffers_ = word;
+    fill(RSH_STAGE_OTHER, word, 0, sizeof(cl_uint));
+}
+
+void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {
     cl::Event event;
-    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_TRUE, 0, sizeof word, &word, waits(),
-                             &event);
+    queue_.enqueueCopyBuffer(cl::Buffer(from, true), cl::Buffer(to, true), 0,
+                             index * sizeof(cl_uint), sizeof(cl_uint), waits(), &event);
+    record(RSH_STAGE_OTHER, event);
+}
+
+std::array<cl_uint, 2> Recorder::read_now(cl_mem buffer) {
+    std::array<cl_uint, 2> words = {};
+    cl::Event event;
+    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_TRUE, 0, sizeof words, words.data(),
+                             waits(), &event);
     record(RSH_STAGE_OTHER, event);
     context_.statistics.add([](rsh_statistics& sums) { ++sums.host_waits; });
-    return word;
+    return words;
 }
 
 cl_mem Recorder::borrow_scratch(size_t bytes) {

@@ -4,6 +4,7 @@
 
 #include <rsh/rsh.h>
 
+#include <array>
 #include <vector>
 
 #include "device/cl/context.hpp"
@@ -63,8 +64,15 @@ public:
     void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset = 0);
     // Adds words from the front of `buffer` to the statistics, once they arrived.
     void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
-    // BLOCKS for the word; rsh_frame only.
-    cl_uint read_now(cl_mem buffer);
+    // Copies a word of `from` to the word `index` of `to`.
+    void copy_word(cl_mem from, cl_mem to, size_t index);
+    // BLOCKS for two words from the front of `buffer`; rsh_frame only.
+    std::array<cl_uint, 2> read_now(cl_mem buffer);
+
+    // The word that takes what traversals meet that was not made for them: the context's, or one
+    // of the call's own, which is 0 from then on.
+    cl_mem wrong_buffers() const { return wrong_buffers_; }
+    void own_wrong_buffers(cl_mem word);
 
     // Memory of the context's pool that no other call touches until this call's commands ended.
     cl_mem borrow_scratch(size_t bytes);
@@ -91,6 +99,7 @@ private:
     Context& context_;
     cl::CommandQueue queue_;
     cl_event* done_;
+    cl_mem wrong_buffers_;
     std::vector<cl::Event> waits_;  // of the next command: the caller's, then the last command
     bool enqueued_ = false;         // anything: waits_ is the last command
     std::vector<ScratchBlock> blocks_;

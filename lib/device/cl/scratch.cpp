@@ -2,26 +2,10 @@
 
 #include <string>
 
+#include "device/cl/span.hpp"
 #include "device/error.hpp"
 
 namespace rsh {
-namespace {
-
-// Sub-buffers cannot be cut from sub-buffers, only from their parent.
-struct Span {
-    cl::Buffer root;
-    size_t offset;
-};
-
-Span span_of(cl_mem memory) {
-    const cl::Buffer buffer(memory, true);
-    const cl::Memory parent = buffer.getInfo<CL_MEM_ASSOCIATED_MEMOBJECT>();
-    if (!parent()) return {buffer, 0};
-    return {cl::Buffer(parent(), true), buffer.getInfo<CL_MEM_OFFSET>()};
-}
-
-}  // namespace
-
 Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given) {
     if (layout.bytes() == 0) return;
     const Span span = span_of(given ? given : recorder.borrow_scratch(layout.bytes()));

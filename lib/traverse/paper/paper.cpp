@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "bvh/types.h"
-#include "rays/box.hpp"
+#include "bvh/layout.hpp"
 #include "rays/levels.hpp"
 #include "rays/types.h"
 #include "traverse/paper/traverse_ranges.hpp"
@@ -145,7 +144,8 @@ private:
         step.batch_first = first;
         step.batch_count = count;
         step.is_counting = recorder_.context().statistics.enabled();
-        return {shape_, step, is_upper ? scratch_["nodes"] : desc_.nodes};
+        const cl_uint first_word = is_upper ? 0 : sizeof(nodes_head) / sizeof(cl_uint);
+        return {shape_, step, is_upper ? scratch_["nodes"] : desc_.nodes, first_word};
     }
 
     Recorder& recorder_;
@@ -158,7 +158,7 @@ private:
 }  // namespace
 
 Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
-                      SceneBounds bounds) const {
+                      BoundsFrom from) const {
     const rsh_levels shape = group_levels(desc.width, desc.height);
     const cl_uint capacity = capacity_of(desc, shape);
     size_t slices = 0;
@@ -175,13 +175,13 @@ Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
     layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
     layout.add_array<box_node16>(
         "nodes", shape.first_child_group[shape.count] - shape.first_child_group[2]);
-    reserve_bounds(layout, context, desc, bounds);
+    reserve_bounds(layout, context, desc, from);
     return layout;
 }
 
 void Paper::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     if (desc.width == 0) return;
-    Traversal(recorder, desc, scratch(recorder.context(), desc, scene_bounds_of(desc))).run();
+    Traversal(recorder, desc, scratch(recorder.context(), desc, bounds_from(desc))).run();
 }
 
 }  // namespace rsh

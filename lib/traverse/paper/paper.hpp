@@ -12,9 +12,9 @@ class Paper final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_PAPER; }
     const char* name() const noexcept override { return "paper"; }
-    std::vector<cl_uint> bounds() const override { return {RSH_BOUND_BOX}; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                   SceneBounds bounds) const override;
+                   BoundsFrom from) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 

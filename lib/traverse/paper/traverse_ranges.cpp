@@ -1,13 +1,14 @@
 #include "traverse/paper/traverse_ranges.hpp"
 
+#include "bvh/layout.hpp"
 #include "mesh/mesh.hpp"
-#include "rays/bound.hpp"
-#include "rays/box.hpp"
 #include "rays/levels.hpp"
 #include "traverse/intersect.hpp"
 
 namespace rsh {
 namespace {
+
+constexpr cl_uint kFirstNode = sizeof(nodes_head) / sizeof(cl_uint);
 
 KernelName paper_kernel(const char* kernel) {
     return {"programs/paper", kernel};
@@ -35,7 +36,9 @@ Range slices_range(Recorder& recorder, const range_step& step) {
 void count_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
                   const RangeStreams& streams) {
     recorder.launch(RSH_STAGE_TEST, paper_kernel("rsh_traverse_ranges_count"),
-                    slices_range(recorder, level.step), level.step, desc.bounds, level.groups,
+                    slices_range(recorder, level.step), level.step,
+                    bvh_layout_of(desc.geometry.triangle_count), level.shape, desc.bounds,
+                    desc.nodes, level.groups, level.first_word, recorder.wrong_buffers(),
                     parents_of(level, streams), streams.ranges, streams.masks, streams.counts,
                     streams.sums);
     scan_sums(recorder, level.step, streams);
@@ -81,7 +84,7 @@ void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_me
     for (cl_uint level = 2; level < shape.count; ++level)
         recorder.launch(RSH_STAGE_BUILD, paper_kernel("rsh_join_boxes"),
                         recorder.serial_range(node_count(shape, level + 1)), shape, level,
-                        level == 2 ? tiles : upper,
+                        level == 2 ? tiles : upper, level == 2 ? kFirstNode : cl_uint{0},
                         level == 2 ? cl_uint{0} : shape.first_child_group[level - 1] - first,
                         upper, shape.first_child_group[level] - first);
 }

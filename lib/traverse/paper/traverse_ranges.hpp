@@ -3,6 +3,7 @@
 #pragma once
 
 #include "device/cl/recorder.hpp"
+#include "rays/types.h"
 #include "traverse/paper/types.h"
 
 namespace rsh {
@@ -20,7 +21,8 @@ struct RangeStreams {
 struct RangeLevel {
     rsh_levels shape;
     range_step step;
-    cl_mem groups;  // the children of step.first_child_group and on
+    cl_mem groups;       // the children of step.first_child_group and on ...
+    cl_uint first_word;  // ... from this word on
 };
 
 // The children at level.step.level of the parents above: counted, then written.

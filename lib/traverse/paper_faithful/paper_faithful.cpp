@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rays/bound.hpp"
+#include "rays/node_shape.hpp"
 #include "reduce/strategy.hpp"
 #include "traverse/intersect.hpp"
 #include "traverse/paper_faithful/traverse_level.hpp"
@@ -18,7 +18,7 @@ constexpr size_t kBytesPerTest = 8 * sizeof(stream_pair);
 constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
 
 rsh_levels cone_levels(const rsh_traverse_desc& desc) {
-    return find_bound(RSH_BOUND_CONE).levels(desc.width, desc.height);
+    return find_shape(RSH_SHAPE_CONE).levels(desc.width, desc.height);
 }
 
 // Pairs that a level can test. Never more than the scene can make: one per triangle and node of
@@ -136,7 +136,7 @@ private:
 }  // namespace
 
 Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& desc,
-                              SceneBounds bounds) const {
+                              BoundsFrom from) const {
     const rsh_levels levels = cone_levels(desc);
     const cl_uint limit = limit_of(desc, levels);
     Layout layout(context.caps.alignment);
@@ -144,7 +144,7 @@ Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& d
     layout.add_array<stream_pair>("tested_pairs", size_t{4} * limit);
     layout.add_array<cl_uint>("tested count", 1);
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
-    reserve_bounds(layout, context, desc, bounds);
+    reserve_bounds(layout, context, desc, from);
     safe_strategy(context, desc.strategy)
         .reserve(layout, context, {4 * limit, sizeof(stream_pair)});
     return layout;
@@ -152,7 +152,7 @@ Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& d
 
 void PaperFaithful::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     if (desc.width == 0) return;
-    Traversal(recorder, desc, scratch(recorder.context(), desc, scene_bounds_of(desc))).run();
+    Traversal(recorder, desc, scratch(recorder.context(), desc, bounds_from(desc))).run();
 }
 
 }  // namespace rsh

@@ -11,9 +11,9 @@ class PaperFaithful final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_PAPER_FAITHFUL; }
     const char* name() const noexcept override { return "paper_faithful"; }
-    std::vector<cl_uint> bounds() const override { return {RSH_BOUND_CONE}; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_CONE; }
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                   SceneBounds bounds) const override;
+                   BoundsFrom from) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 

@@ -10,7 +10,8 @@ void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_leve
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level_root"},
                     recorder.stream_range(), levels, levels.count - 1, batch.first_triangle,
                     batch.triangle_count, desc.bounds, desc.nodes, streams.tested_pairs,
-                    streams.tested_count);
+                    streams.tested_count, desc.geometry.triangle_count,
+                    recorder.wrong_buffers());
 }
 
 void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "device/cl/recorder.hpp"
+#include "rays/types.h"
 
 namespace rsh {
 

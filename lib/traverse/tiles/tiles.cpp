@@ -1,7 +1,8 @@
 #include "traverse/tiles/tiles.hpp"
 
-#include "rays/box.hpp"
+#include "bvh/layout.hpp"
 #include "rays/levels.hpp"
+#include "rays/node_shape.hpp"
 #include "traverse/intersect.hpp"
 
 namespace rsh {
@@ -20,27 +21,27 @@ void count_tests(Recorder& recorder, cl_mem counts) {
 }  // namespace
 
 Layout Tiles::scratch(const Context& context, const rsh_traverse_desc& desc,
-                      SceneBounds bounds) const {
+                      BoundsFrom from) const {
     Layout layout(context.caps.alignment);
     layout.add_array<cl_uint>("counts", kCounts);
-    reserve_bounds(layout, context, desc, bounds);
+    reserve_bounds(layout, context, desc, from);
     return layout;
 }
 
 void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     if (desc.width == 0) return;
     const Context& context = recorder.context();
-    const Scratch memory(recorder, scratch(context, desc, scene_bounds_of(desc)), desc.scratch);
+    const Scratch memory(recorder, scratch(context, desc, bounds_from(desc)), desc.scratch);
     const cl_mem bounds = desc.bounds ? desc.bounds : make_bounds(recorder, desc, memory);
     const bool is_counting = context.statistics.enabled();
     report_progress(desc, 0, 1);
     if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCounts * 4);
-    const rsh_levels shape = find_bound(RSH_BOUND_BOX).levels(desc.width, desc.height);
+    const rsh_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
                     recorder.serial_range(node_count(shape, 2)),
                     bvh_layout_of(desc.geometry.triangle_count), bounds, shape, desc.rays,
                     desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
-                    cl_uint{is_counting}, memory["counts"]);
+                    cl_uint{is_counting}, memory["counts"], recorder.wrong_buffers());
     if (is_counting) count_tests(recorder, memory["counts"]);
 }
 

@@ -10,9 +10,9 @@ class Tiles final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_TILES; }
     const char* name() const noexcept override { return "tiles"; }
-    std::vector<cl_uint> bounds() const override { return {RSH_BOUND_BOX}; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
-                   SceneBounds bounds) const override;
+                   BoundsFrom from) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
 };
 

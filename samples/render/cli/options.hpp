@@ -23,7 +23,7 @@ struct Options {
     std::optional<uint32_t> bounces;
     std::optional<float> min_weight;
     uint32_t engine = RSH_ENGINE_DEFAULT;
-    uint32_t bound = RSH_BOUND_DEFAULT;
+    uint32_t bound = RSH_SHAPE_DEFAULT;
     uint32_t strategy = RSH_STRATEGY_DEFAULT;
     uint64_t budget = 0;
     rsh_features without = 0;

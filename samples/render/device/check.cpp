@@ -49,7 +49,7 @@ private:
         rsh_bound_desc desc{};
         desc.struct_size = sizeof desc;
         desc.geometry = frame_.scene->geometry;
-        desc.bound = bound_of();
+        desc.shape = bound_of();
         rsh_sizes sizes{};
         sizes.struct_size = sizeof sizes;
         require(rsh_bound_query(device_.rsh(), &desc, &sizes), "rsh_bound_query");
@@ -144,7 +144,7 @@ private:
     }
 
     cl_uint bound_of() const {
-        return frame_.bound ? frame_.bound : rsh_engine_bound(frame_.engine);
+        return frame_.shape ? frame_.shape : rsh_engine_shape(frame_.engine);
     }
 
     cl::Buffer build(const cl::Buffer& rays) const {
@@ -153,10 +153,10 @@ private:
         desc.rays = rays();
         desc.width = frame_.width;
         desc.height = frame_.height;
-        desc.bound = bound_of();
+        desc.shape = bound_of();
         rsh_sizes sizes{};
         sizes.struct_size = sizeof sizes;
-        require(rsh_build_query(device_.rsh(), &desc, &sizes, nullptr), "rsh_build_query");
+        require(rsh_build_query(device_.rsh(), &desc, &sizes), "rsh_build_query");
         cl::Buffer nodes = device_.buffer(sizes.output_bytes);
         desc.nodes = nodes();
         require(rsh_build(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
@@ -171,7 +171,7 @@ private:
         desc.struct_size = sizeof desc;
         desc.geometry = frame_.scene->geometry;
         desc.bounds = bounds_();
-        desc.bound = bound_of();
+        desc.shape = bound_of();
         desc.rays = rays();
         desc.width = static_cast<cl_uint>(width);
         desc.height = height;

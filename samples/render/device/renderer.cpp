@@ -40,7 +40,7 @@ void Renderer::make_bounds() {
     rsh_bound_desc desc{};
     desc.struct_size = sizeof desc;
     desc.geometry = scene_.scene().geometry;
-    desc.bound = settings_.bound ? settings_.bound : rsh_engine_bound(settings_.engine);
+    desc.shape = settings_.bound ? settings_.bound : rsh_engine_shape(settings_.engine);
     rsh_sizes sizes{};
     sizes.struct_size = sizeof sizes;
     require(rsh_bound_query(device_.rsh(), &desc, &sizes), "rsh_bound_query");
@@ -58,12 +58,12 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.bounces = settings_.bounces;
     desc.min_weight = settings_.min_weight;
     desc.engine = settings_.engine;
-    desc.bound = settings_.bound;
+    desc.shape = settings_.bound;
     desc.strategy = settings_.strategy;
     desc.budget = settings_.budget;
     desc.colour = colour_();
     desc.bounds = bounds_();
-    desc.update = has_bounds_ ? RSH_UPDATE_NEXT : RSH_UPDATE_FIRST;
+    desc.mode = has_bounds_ ? RSH_BOUND_REFIT : RSH_BOUND_QUALITY;
     return desc;
 }
 

@@ -12,7 +12,7 @@ struct RenderSettings {
     uint32_t bounces = 4;
     float min_weight = 0.0f;
     uint32_t engine = RSH_ENGINE_DEFAULT;
-    uint32_t bound = RSH_BOUND_DEFAULT;
+    uint32_t bound = RSH_SHAPE_DEFAULT;
     uint32_t strategy = RSH_STRATEGY_DEFAULT;
     size_t budget = 0;
     rsh_features without = 0;

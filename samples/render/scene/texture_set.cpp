@@ -24,7 +24,7 @@ uint32_t TextureSet::add(const std::string& path) {
                                   : static_cast<const void*>(image.floats.data());
     std::memcpy(&texels_[first], source, 4 * words);
     textures_.push_back(
-        {static_cast<uint32_t>(first), image.width, image.height, image.format});
+        {static_cast<uint32_t>(first), image.width, image.height, image.format, {}});
     const auto index = static_cast<uint32_t>(textures_.size() - 1);
     index_of_[path] = index;
     return index;

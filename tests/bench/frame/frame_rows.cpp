@@ -73,7 +73,7 @@ bool takes(const Device& device, cl_uint engine, cl_uint bound) {
     desc.geometry.triangle_count = 1;
     desc.width = 1;
     desc.engine = engine;
-    desc.bound = bound;
+    desc.shape = bound;
     rsh_sizes sizes{};
     sizes.struct_size = sizeof sizes;
     return rsh_traverse_query(device.rsh(), &desc, &sizes) == RSH_SUCCESS;
@@ -104,12 +104,12 @@ std::vector<FrameRow> frame_rows() {
 std::vector<Column> frame_columns(const Device& device) {
     std::vector<Column> columns;
     for (cl_uint engine = 1; rsh_engine_name(engine); ++engine)
-        for (cl_uint bound = 1; rsh_bound_name(bound); ++bound)
+        for (cl_uint bound = 1; rsh_shape_name(bound); ++bound)
             if (engine != RSH_ENGINE_BRUTE_FORCE && takes(device, engine, bound))
                 columns.push_back(
-                    {engine, bound, rsh_engine_name(engine), rsh_bound_name(bound)});
-    columns.push_back({RSH_ENGINE_TILES, RSH_BOUND_BOX, rsh_engine_name(RSH_ENGINE_TILES),
-                       rsh_bound_name(RSH_BOUND_BOX), true});
+                    {engine, bound, rsh_engine_name(engine), rsh_shape_name(bound)});
+    columns.push_back({RSH_ENGINE_TILES, RSH_SHAPE_BOX, rsh_engine_name(RSH_ENGINE_TILES),
+                       rsh_shape_name(RSH_SHAPE_BOX), true});
     return columns;
 }
 

@@ -82,7 +82,7 @@ void RayMaker::trace(const SceneOnDevice& scene) {
     build.height = size_.height;
     rsh_sizes sizes{};
     sizes.struct_size = sizeof sizes;
-    require(rsh_build_query(device_.rsh(), &build, &sizes, nullptr), "rsh_build_query");
+    require(rsh_build_query(device_.rsh(), &build, &sizes), "rsh_build_query");
     const cl::Buffer nodes(device_.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
     build.nodes = nodes();
     require(rsh_build(device_.rsh(), device_.queue()(), &build, 0, nullptr, nullptr),

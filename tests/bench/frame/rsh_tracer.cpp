@@ -32,7 +32,7 @@ RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size si
     : device_(device), size_(size), is_shadow_(is_shadow), is_updated_(column.is_updated) {
     bound_.struct_size = sizeof bound_;
     bound_.geometry = geometry;
-    bound_.update = is_updated_ ? RSH_UPDATE_FIRST : RSH_UPDATE_NONE;
+    bound_.mode = is_updated_ ? RSH_BOUND_QUALITY : RSH_BOUND_FAST;
     build_.struct_size = sizeof build_;
     build_.width = size.width;
     build_.height = size.height;
@@ -43,7 +43,7 @@ RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size si
     traverse_.height = size.height;
     traverse_.query = is_shadow ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST;
     traverse_.engine = column.engine;
-    bound_.bound = build_.bound = traverse_.bound = column.bound;
+    bound_.shape = build_.shape = traverse_.shape = column.bound;
     make_buffers();
 }
 
@@ -56,7 +56,7 @@ cl::Buffer RshTracer::own(size_t bytes) {
 void RshTracer::make_buffers() {
     rsh_sizes bound = empty_sizes(), build = empty_sizes(), traverse = empty_sizes();
     require(rsh_bound_query(device_.rsh(), &bound_, &bound), "rsh_bound_query");
-    require(rsh_build_query(device_.rsh(), &build_, &build, nullptr), "rsh_build_query");
+    require(rsh_build_query(device_.rsh(), &build_, &build), "rsh_build_query");
     bounds_ = own(bound.output_bytes);
     nodes_ = own(build.output_bytes);
     bound_.bounds = traverse_.bounds = bounds_();
@@ -85,7 +85,7 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
                 "rsh_traverse");
         device_.queue().finish();
     });
-    if (is_updated_) bound_.update = RSH_UPDATE_NEXT;
+    if (is_updated_) bound_.mode = RSH_BOUND_REFIT;
     times.build = end_ms(build) - end_ms(bound);
     times.traverse = end_ms(traverse) - end_ms(build);
     times.bound = times.total - times.build - times.traverse;

@@ -11,7 +11,7 @@ namespace bench {
 // frame, or updated.
 struct Column {
     cl_uint engine = RSH_ENGINE_DEFAULT;
-    cl_uint bound = RSH_BOUND_DEFAULT;
+    cl_uint bound = RSH_SHAPE_DEFAULT;
     std::string engine_name, bound_name;
     bool is_updated = false;
 

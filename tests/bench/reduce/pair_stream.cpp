@@ -7,8 +7,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "bvh/types.h"
 #include "frame/ray_maker.hpp"
-#include "rays/types.h"
+#include "rays/levels.hpp"
 
 namespace bench {
 namespace {
@@ -63,31 +64,34 @@ private:
         desc.rays = rays_.buffer()();
         desc.width = kFrame.width;
         desc.height = kFrame.height;
-        desc.bound = RSH_BOUND_CONE;
+        desc.shape = RSH_SHAPE_CONE;
         rsh_sizes sizes{};
         sizes.struct_size = sizeof sizes;
-        require(rsh_build_query(device_.rsh(), &desc, &sizes, &levels_), "rsh_build_query");
+        require(rsh_build_query(device_.rsh(), &desc, &sizes), "rsh_build_query");
+        levels_ = rsh::cone_levels(desc.width, desc.height);
         nodes_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
         desc.nodes = nodes_();
         require(rsh_build(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
                 "rsh_build");
         quads_.resize(levels_.first_child_group[levels_.count]);
-        device_.queue().enqueueReadBuffer(nodes_, CL_TRUE, 0,
+        device_.queue().enqueueReadBuffer(nodes_, CL_TRUE, sizeof(nodes_head),
                                           quads_.size() * sizeof(cone_node4), quads_.data());
     }
 
     void bound() {
         spheres_.resize(triangle_count());
         const size_t bytes = spheres_.size() * sizeof(cl_float4);
-        const cl::Buffer buffer(device_.context(), CL_MEM_READ_WRITE, bytes);
+        const cl::Buffer buffer(device_.context(), CL_MEM_READ_WRITE,
+                                sizeof(spheres_head) + bytes);
         rsh_bound_desc desc{};
         desc.struct_size = sizeof desc;
         desc.geometry = scene_.geometry();
-        desc.bound = RSH_BOUND_CONE;
+        desc.shape = RSH_SHAPE_CONE;
         desc.bounds = buffer();
         require(rsh_bound(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
                 "rsh_bound");
-        device_.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, spheres_.data());
+        device_.queue().enqueueReadBuffer(buffer, CL_TRUE, sizeof(spheres_head), bytes,
+                                          spheres_.data());
     }
 
     const Device& device_;
@@ -109,7 +113,7 @@ rsh_statistics Hierarchy::count() const {
     desc.width = kFrame.width;
     desc.height = kFrame.height;
     desc.engine = RSH_ENGINE_PAPER_FAITHFUL;
-    desc.bound = RSH_BOUND_CONE;
+    desc.shape = RSH_SHAPE_CONE;
     desc.budget = size_t{1} << 29;
     const cl::Buffer hits(device_.context(), CL_MEM_READ_WRITE,
                           kFrame.pixels() * sizeof(rsh_hit));

@@ -1,0 +1,27 @@
+/* nodes_head.h - what nodes are of, said at their start: written by the kernel that makes the
+ * lowest of them, looked at before anything else of them is believed. */
+#ifndef RSH_RAYS_NODES_HEAD_H
+#define RSH_RAYS_NODES_HEAD_H
+
+#include "rays/types.h"
+
+#define RSH_NODES_HEAD_WORDS 16
+
+/* made: RSH_..._MADE. */
+static void write_nodes_head(rsh_levels shape, uint made, __global void* nodes)
+{
+    __global nodes_head* head = (__global nodes_head*)nodes;
+    head->made = made;
+    head->width = shape.width[0];
+    head->height = shape.height[0];
+    head->is_list = shape.is_list;
+}
+
+static bool nodes_are_of(rsh_levels shape, uint made, __global const void* nodes)
+{
+    __global const nodes_head* head = (__global const nodes_head*)nodes;
+    return head->made == made && head->width == shape.width[0] &&
+           head->height == shape.height[0] && head->is_list == shape.is_list;
+}
+
+#endif
