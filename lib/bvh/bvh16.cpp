@@ -46,7 +46,7 @@ public:
                       is_quality = desc_.mode != RSH_BOUND_FAST;
         launch("rsh_leaves", parts(), layout_, scratch_["sorting"], sample_count,
                scratch_["samples"], is_quality, desc_.bounds, scratch_["child boxes"],
-               scratch_["tree"]);
+               scratch_.find("tree"));
         if (!is_quality) {
             launch_above("rsh_nodes_from_ranges", {1, 1}, scratch_["sorting"], sample_count,
                          scratch_["samples"], desc_.bounds, scratch_["child boxes"]);

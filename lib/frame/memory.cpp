@@ -140,7 +140,7 @@ rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
     return pass;
 }
 
-rsh_spawn_desc FrameMemory::spawn(cl_uint bounce, cl_uint kind) const {
+rsh_spawn_desc FrameMemory::spawn_at(cl_uint bounce, cl_uint kind) const {
     rsh_spawn_desc pass = {};
     pass.struct_size = sizeof pass;
     pass.scene = desc_.scene;
@@ -150,9 +150,14 @@ rsh_spawn_desc FrameMemory::spawn(cl_uint bounce, cl_uint kind) const {
     pass.hits = at("hits", bounce);
     pass.weights = bounce > 0 ? at("weights", bounce) : nullptr;
     pass.min_weight = desc_.min_weight;
+    pass.active_count = active_count();
+    return pass;
+}
+
+rsh_spawn_desc FrameMemory::spawn(cl_uint bounce, cl_uint kind) const {
+    rsh_spawn_desc pass = spawn_at(bounce, kind);
     pass.spawned_rays = at("rays", bounce + 1);
     pass.spawned_weights = at("weights", bounce + 1);
-    pass.active_count = active_count();
     return pass;
 }
 
@@ -170,10 +175,9 @@ rsh_shade_desc FrameMemory::shade(cl_uint bounce) const {
 }
 
 rsh_spawn_desc FrameMemory::spawn_shadow(cl_uint bounce, cl_uint light) const {
-    rsh_spawn_desc pass = spawn(bounce, RSH_SPAWN_SHADOW);
+    rsh_spawn_desc pass = spawn_at(bounce, RSH_SPAWN_SHADOW);
     pass.light = light;
     pass.spawned_rays = scratch_["shadow rays"];
-    pass.spawned_weights = nullptr;
     return pass;
 }
 

@@ -33,12 +33,14 @@ public:
     rsh_traverse_desc traverse_shadow(cl_uint light) const;
 
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
-    cl_mem occlusion() const { return scratch_["occlusion"]; }
+    cl_mem occlusion() const { return scratch_.find("occlusion"); }
     cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
     cl_mem active_count() const { return scratch_["active count"]; }
 
 private:
     cl_mem at(const char* name, cl_uint bounce) const;
+    // Without the rays that are spawned.
+    rsh_spawn_desc spawn_at(cl_uint bounce, cl_uint kind) const;
     cl_mem bounds() const;
 
     rsh_frame_desc desc_;

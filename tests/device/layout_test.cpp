@@ -33,4 +33,17 @@ TEST(Layout, UsesPartsAgain) {
     }
 }
 
+// A name that was mistyped, or a part that this call does not have.
+TEST(Layout, RefusesNamesThatItHasNot) {
+    Layout layout(64);
+    layout.add("empty", 0);
+    layout.add("full", 64);
+    EXPECT_TRUE(layout.has("empty"));
+    EXPECT_FALSE(layout.has("ful"));
+    EXPECT_EQ(layout.number_of("full"), 1u);
+    EXPECT_THROW(layout.number_of("ful"), std::logic_error);
+    EXPECT_THROW(layout.reuse_from("ful"), std::logic_error);
+    EXPECT_EQ(layout.bytes(), 64u);
+}
+
 }  // namespace

@@ -2,7 +2,6 @@
 // buffer, or a block of the context's pool, cut up by a Layout.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,14 +15,14 @@ public:
     // `given` NULL: from the pool, until the recorder's commands ended.
     Scratch(Recorder& recorder, const Layout& layout, cl_mem given);
 
+    // NULL for a part of no bytes. Throws where the layout has none of that name.
     cl_mem operator[](std::string_view name) const;
+    // NULL there as well: for parts that only some calls have.
+    cl_mem find(std::string_view name) const;
 
 private:
-    struct Part {
-        std::string name;
-        cl::Buffer buffer;
-    };
-    std::vector<Part> parts_;
+    Layout layout_;
+    std::vector<cl::Buffer> buffers_;  // of its parts
 };
 
 }  // namespace rsh
