@@ -22,6 +22,22 @@
 namespace rsh {
 namespace {
 
+// Settles what may change while a call is under way: its strategy.
+template <class Desc>
+void settle(const Context&, Desc&) {}
+
+void settle(const Context& context, rsh_reduce_desc& desc) {
+    desc.strategy = chosen_strategy(context, desc.strategy, desc.count);
+}
+
+void settle(const Context& context, rsh_traverse_desc& desc) {
+    desc.strategy = chosen_strategy(context, desc);
+}
+
+void settle(const Context& context, rsh_frame_desc& desc) {
+    desc.strategy = chosen_strategy(context, desc);
+}
+
 // Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so
 // also when `pass` throws.
 template <class Desc, class Pass>
@@ -34,9 +50,11 @@ rsh_status enqueue(rsh_context context, const Submission& submission, const Desc
         check_submission(checked, submission.queue, submission.wait_count,
                          submission.wait_list);
         check_shape(*received);
-        check_buffers(checked, *received);
+        Desc settled = *received;
+        settle(checked, settled);
+        check_buffers(checked, settled);
         Recorder recorder(checked, submission, done);
-        pass(recorder, *received);
+        pass(recorder, settled);
         recorder.finish();
     });
 }
@@ -49,7 +67,9 @@ rsh_status query(rsh_context context, const Desc* desc, rsh_sizes* sizes, Measur
         const Received<Desc> received(desc);
         check_struct(sizes, "sizes", "sizes.struct_size");
         check_shape(*received);
-        hand_back(measure(checked, *received), sizes);
+        Desc settled = *received;
+        settle(checked, settled);
+        hand_back(measure(checked, settled), sizes);
     });
 }
 

@@ -68,6 +68,10 @@ const NodeShape& frame_shape(const rsh_frame_desc& desc) {
     return find_shape(find_engine(desc.engine).node_shape());
 }
 
+cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
+    return chosen_strategy(context, traverse_of(desc));
+}
+
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
     const size_t pixels = size_t{desc.width} * desc.height;
     Layout layout(context.caps.alignment);

@@ -1,6 +1,8 @@
 // automatic.cpp - picks a strategy for a stream: by the device and by the longest that the
 // stream may be, here; by how much of a tile is kept, in the kernels (reduce/range.h). Never one
 // that the self-test found wrong.
+#include <stdexcept>
+
 #include "device/error.hpp"
 #include "reduce/launch.hpp"
 
@@ -21,29 +23,27 @@ std::vector<const Strategy*> preferred(const Context& context, cl_uint count) {
     return {&lookback(), &chunk(), &scan_scatter()};
 }
 
-const Strategy& pick(const Context& context, cl_uint count) {
-    for (const Strategy* strategy : preferred(context, count))
-        if (!(context.unsafe_strategies >> strategy->id() & 1)) return *strategy;
-    throw Error(RSH_UNSUPPORTED,
-                "strategy: is auto, but rsh_device_selftest found all that it picks from to be "
-                "wrong on this device; must be another one");
-}
-
 class Automatic final : public Strategy {
 public:
     cl_uint id() const noexcept override { return RSH_STRATEGY_AUTO; }
     const char* name() const noexcept override { return "auto"; }
     bool is_stable() const noexcept override { return true; }
 
-    void reserve(Layout& scratch, const Context& context,
-                 const ReduceShape& shape) const override {
-        pick(context, shape.count).reserve(scratch, context, shape);
+    const Strategy& chosen(const Context& context, cl_uint count,
+                           cl_uint unsafe) const override {
+        for (const Strategy* strategy : preferred(context, count))
+            if (!(unsafe >> strategy->id() & 1)) return *strategy;
+        throw Error(
+            RSH_UNSUPPORTED,
+            "strategy: is auto, but rsh_device_selftest found all that it picks from to "
+            "be wrong on this device; must be another one");
     }
 
-    void enqueue(Recorder& recorder, const ReduceStream& stream,
-                 const Scratch& scratch) const override {
-        pick(recorder.context(), stream.count).enqueue(recorder, stream, scratch);
-    }
+    void reserve(Layout&, const Context&, const ReduceShape&) const override { refuse(); }
+    void enqueue(Recorder&, const ReduceStream&, const Scratch&) const override { refuse(); }
+
+private:
+    [[noreturn]] static void refuse() { throw std::logic_error("auto is yet to be chosen"); }
 };
 
 }  // namespace

@@ -24,19 +24,19 @@ const Strategy& find_strategy(cl_uint id) {
                 "strategy: is " + std::to_string(id) + ", must be RSH_STRATEGY_...");
 }
 
-const Strategy& safe_strategy(const Context& context, cl_uint id) {
-    const Strategy& strategy = find_strategy(id);
-    if (context.unsafe_strategies >> strategy.id() & 1)
+cl_uint chosen_strategy(const Context& context, cl_uint id, cl_uint count) {
+    const cl_uint unsafe = context.unsafe_strategies;
+    const Strategy& strategy = find_strategy(id).chosen(context, count, unsafe);
+    if (unsafe >> strategy.id() & 1)
         throw Error(RSH_UNSUPPORTED, std::string("strategy: is ") + strategy.name() +
                                          ", which rsh_device_selftest found to be wrong on "
                                          "this device; must be another one");
-    return strategy;
+    return strategy.id();
 }
 
 Layout reduce_scratch(const Context& context, const rsh_reduce_desc& desc) {
     Layout scratch(context.caps.alignment);
-    safe_strategy(context, desc.strategy)
-        .reserve(scratch, context, {desc.count, desc.element_bytes});
+    find_strategy(desc.strategy).reserve(scratch, context, {desc.count, desc.element_bytes});
     return scratch;
 }
 
@@ -45,7 +45,7 @@ void reduce(Recorder& recorder, const rsh_reduce_desc& desc) {
     const ReduceStream stream = {
         desc.keep,   desc.element_bytes, desc.count, desc.input_count, desc.input, desc.flags,
         desc.output, desc.output_count,  0,          nullptr};
-    safe_strategy(recorder.context(), desc.strategy).enqueue(recorder, stream, scratch);
+    find_strategy(desc.strategy).enqueue(recorder, stream, scratch);
 }
 
 }  // namespace rsh

@@ -39,6 +39,11 @@ public:
     virtual cl_uint id() const noexcept = 0;        // RSH_STRATEGY_...
     virtual const char* name() const noexcept = 0;  // command lines, logs, benchmarks
     virtual bool is_stable() const noexcept = 0;    // kept elements stay in order
+    // For streams of up to `count` elements: itself, but for `auto`. unsafe: a bit per strategy.
+    virtual const Strategy& chosen(const Context&, cl_uint /*count*/,
+                                   cl_uint /*unsafe*/) const {
+        return *this;
+    }
     // Adds what a stream of that shape needs; parts are named "reduce ...".
     virtual void reserve(Layout& scratch, const Context& context,
                          const ReduceShape& shape) const = 0;
@@ -48,8 +53,9 @@ public:
 
 const std::vector<const Strategy*>& strategies();
 const Strategy& find_strategy(cl_uint id);  // throws
-// The same, if rsh_device_selftest did not find it wrong on this context's device.
-const Strategy& safe_strategy(const Context& context, cl_uint id);
+// The strategy that a call names, or `auto` for it, unless rsh_device_selftest found it wrong on
+// this context's device. Asked once per call: its answer may change at any time.
+cl_uint chosen_strategy(const Context& context, cl_uint id, cl_uint count);
 
 // rsh_reduce
 Layout reduce_scratch(const Context& context, const rsh_reduce_desc& desc);

@@ -3,6 +3,7 @@
 #include "bvh/scene_bounds.hpp"
 #include "device/error.hpp"
 #include "rays/node_shape.hpp"
+#include "reduce/strategy.hpp"
 
 namespace rsh {
 
@@ -14,6 +15,11 @@ void traverse(Recorder& recorder, const rsh_traverse_desc& desc) {
     recorder.count_later(
         recorder.wrong_buffers(), 1,
         [](rsh_statistics& sums, const cl_uint* bits) { sums.wrong_buffers |= *bits; });
+}
+
+cl_uint chosen_strategy(const Context& context, const rsh_traverse_desc& desc) {
+    const cl_uint count = find_engine(desc.engine).longest_stream(desc);
+    return count ? chosen_strategy(context, desc.strategy, count) : desc.strategy;
 }
 
 void check_node_shape(const Engine& engine, cl_uint shape) {

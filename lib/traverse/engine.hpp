@@ -24,6 +24,8 @@ public:
     // RSH_SHAPE_... of the nodes that it takes; RSH_SHAPE_DEFAULT: it needs neither bounds nor
     // nodes.
     virtual cl_uint node_shape() const noexcept = 0;
+    // Elements of the longest stream that it reduces; 0: it takes no strategy.
+    virtual cl_uint longest_stream(const rsh_traverse_desc&) const { return 0; }
     // Reads none of the descriptor's buffers, not even whether they are there.
     virtual Layout scratch(const Context& context, const rsh_traverse_desc& desc,
                            BoundsFrom bounds) const = 0;
@@ -35,6 +37,9 @@ const Engine& find_engine(cl_uint id);  // throws; RSH_ENGINE_DEFAULT: the quick
 
 // Finds what the rays hit.
 void traverse(Recorder& recorder, const rsh_traverse_desc& desc);
+
+// The strategy that a call is to use; see reduce/strategy.hpp.
+cl_uint chosen_strategy(const Context& context, const rsh_traverse_desc& desc);
 
 // A shape that the engine does not take is refused.
 void check_node_shape(const Engine& engine, cl_uint shape);

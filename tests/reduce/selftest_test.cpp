@@ -10,6 +10,7 @@
 
 #include "support/buffer.hpp"
 #include "support/compare.hpp"
+#include "support/ways.hpp"
 
 namespace {
 
@@ -152,6 +153,29 @@ TEST(SelfTest, KeepsAutoFromWhatItMasked) {
     EXPECT_EQ(run_selftest(wrong.context()).unsafe_strategies, 1u << RSH_STRATEGY_LOOKBACK);
     EXPECT_EQ(reduction.run(wrong.context(), RSH_STRATEGY_AUTO), RSH_SUCCESS);
     EXPECT_TRUE(reduction.is_right());
+}
+
+// Whatever another thread finds out meanwhile: a call has memory for the strategy that it chose.
+// This driver gets lookback wrong, but for the stream of a traversal.
+TEST(SelfTest, LeavesCallsUnderWayWithTheirStrategy) {
+    const ChangedKernels wrong("reduce/lookback.cl", "return at;",
+                               "return at + (RSH_WORDS == 1 && at > 0);");
+    test::Random random(3);
+    const test::DeviceMesh mesh(test::random_soup(random, 20000, 0.02f));
+    const test::Rays rays = test::random_rays(random, 32, 32);
+    test::TraceOptions options;
+    options.engine = RSH_ENGINE_PAPER_FAITHFUL;
+    options.context = wrong.context();
+    options.budget = 2u << 20;
+    int batches = 0;
+    cl_uint unsafe = 0;
+    options.before_batch = [&] {
+        if (batches++ == 0) unsafe = run_selftest(wrong.context()).unsafe_strategies;
+    };
+    const auto hits = closest_hits(mesh, rays, options);
+    EXPECT_GT(batches, 1);
+    EXPECT_EQ(unsafe, 1u << RSH_STRATEGY_LOOKBACK);
+    EXPECT_TRUE(test::same_bits(hits, closest_hits(mesh, rays, test::brute_force()), "hits"));
 }
 
 // As if no work-group ever saw another one's messages.

@@ -33,6 +33,13 @@ public:
         if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes(options.converging);
         if (options.own_bounds) add_bounds(mesh, options.earlier);
         own_scratch_ = options.own_scratch;
+        before_batch_ = options.before_batch;
+        desc.progress_user = this;
+        if (before_batch_)
+            desc.progress = [](cl_uint, cl_uint, void* self) {
+                static_cast<Traversal*>(self)->before_batch_();
+                return 0;
+            };
     }
 
     void run() {
@@ -96,6 +103,7 @@ private:
     Buffer<rsh_ray> rays_;
     rsh_context context_;
     bool own_scratch_ = false;
+    std::function<void()> before_batch_;
     std::unique_ptr<Bytes> nodes_, bounds_, scratch_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -83,6 +84,7 @@ struct TraceOptions {
     bool own_bounds = false;   // from rsh_bound instead of made in scratch
     std::vector<const DeviceMesh*> earlier = {};  // own bounds were kept over these
     bool converging = false;                      // nodes bound the rays from t = 1
+    std::function<void()> before_batch = {};      // called on this thread
     rsh_context context = nullptr;                // null: the device's
 };
 

@@ -89,7 +89,7 @@ public:
         : recorder_(recorder),
           desc_(desc),
           levels_(cone_levels(desc)),
-          strategy_(safe_strategy(recorder.context(), desc.strategy)),
+          strategy_(find_strategy(desc.strategy)),
           scratch_(recorder, layout, desc.scratch),
           streams_{limit_of(desc, levels_), scratch_["pairs"], scratch_["tested_pairs"],
                    scratch_["tested count"], scratch_["counts"]} {
@@ -135,6 +135,10 @@ private:
 
 }  // namespace
 
+cl_uint PaperFaithful::longest_stream(const rsh_traverse_desc& desc) const {
+    return 4 * limit_of(desc, cone_levels(desc));
+}
+
 Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& desc,
                               BoundsFrom from) const {
     const rsh_levels levels = cone_levels(desc);
@@ -145,8 +149,7 @@ Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& d
     layout.add_array<cl_uint>("tested count", 1);
     layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
     reserve_bounds(layout, context, desc, from);
-    safe_strategy(context, desc.strategy)
-        .reserve(layout, context, {4 * limit, sizeof(stream_pair)});
+    find_strategy(desc.strategy).reserve(layout, context, {4 * limit, sizeof(stream_pair)});
     return layout;
 }
 

@@ -12,6 +12,7 @@ public:
     cl_uint id() const noexcept override { return RSH_ENGINE_PAPER_FAITHFUL; }
     const char* name() const noexcept override { return "paper_faithful"; }
     cl_uint node_shape() const noexcept override { return RSH_SHAPE_CONE; }
+    cl_uint longest_stream(const rsh_traverse_desc& desc) const override;
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
                    BoundsFrom from) const override;
     void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override;
