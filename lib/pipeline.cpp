@@ -62,13 +62,18 @@ private:
 
     void cast_shadows(cl_uint bounce) {
         recorder_.fill(RSH_STAGE_OTHER, memory_.occlusion(), 0, size_t{memory_.pixels()} * 4);
-        clear_active_count();
         for (cl_uint light = 0; light < desc_.scene->light_count; ++light) {
             if (!(desc_.scene->shadow_lights >> light & 1)) continue;
-            spawn(recorder_, memory_.spawn_shadow(bounce, light));
+            spawn_shadow(bounce, light);
             build(recorder_, memory_.build_shadow(light));
             traverse(recorder_, memory_.traverse_shadow(light));
         }
+    }
+
+    // Light by light, lest their sum outgrow 32 bits; only statistics read the count.
+    void spawn_shadow(cl_uint bounce, cl_uint light) {
+        if (is_counting_) clear_active_count();
+        spawn(recorder_, memory_.spawn_shadow(bounce, light));
         count_later([bounce](rsh_statistics& sums, const cl_uint* count) {
             sums.shadow_rays[bounce] += *count;
         });
@@ -102,8 +107,7 @@ private:
 
     template <class Use>
     void count_later(Use use) {
-        if (recorder_.context().statistics.enabled())
-            recorder_.count_later(memory_.active_count(), 1, use);
+        if (is_counting_) recorder_.count_later(memory_.active_count(), 1, use);
     }
 
     void report_progress() {
@@ -114,6 +118,7 @@ private:
     Recorder& recorder_;
     const rsh_frame_desc& desc_;
     FrameMemory memory_;
+    const bool is_counting_ = recorder_.context().statistics.enabled();
     cl_uint waves_ = 0;
 };
 

@@ -50,6 +50,10 @@ public:
         return colour_;
     }
 
+    // By bounce: of what rsh_statistics counts.
+    std::vector<cl_ulong> spawned_rays = std::vector<cl_ulong>(RSH_MAX_LEVELS + 1);
+    std::vector<cl_ulong> shadow_rays = std::vector<cl_ulong>(RSH_MAX_LEVELS + 1);
+
 private:
     void rasterize(std::vector<rsh_ray>* rays, std::vector<rsh_hit>* hits) {
         const size_t pixels = size_t(options_.width) * options_.height;
@@ -71,7 +75,8 @@ private:
 
     void wave(const test::Rays& rays, const std::vector<rsh_hit>& hits,
               const std::vector<cl_float4>& weights, uint32_t depth) {
-        colour_ = test::shade(scene_, rays.rays, hits, colour_, weights, shadows(rays, hits));
+        colour_ =
+            test::shade(scene_, rays.rays, hits, colour_, weights, shadows(rays, hits, depth));
         if (depth == options_.bounces) return;
         for (const uint32_t kind : {RSH_SPAWN_REFLECTION, RSH_SPAWN_REFRACTION}) {
             test::SpawnOptions spawn;
@@ -80,12 +85,14 @@ private:
             spawn.min_weight = options_.min_weight;
             const auto spawned = test::spawn(scene_, rays.rays, hits, spawn);
             if (spawned.active == 0) continue;
+            spawned_rays[depth + 1] += spawned.active;
             const test::Rays next = {spawned.rays, rays.width, rays.height};
             wave(next, closest_hits(mesh_, next), spawned.weights, depth + 1);
         }
     }
 
-    std::vector<uint32_t> shadows(const test::Rays& rays, const std::vector<rsh_hit>& hits) {
+    std::vector<uint32_t> shadows(const test::Rays& rays, const std::vector<rsh_hit>& hits,
+                                  uint32_t depth) {
         std::vector<uint32_t> masks(rays.rays.size(), 0);
         for (uint32_t light = 0; light < scene_.desc.light_count; ++light) {
             if (!(scene_.desc.shadow_lights >> light & 1)) continue;
@@ -93,6 +100,7 @@ private:
             spawn.kind = RSH_SPAWN_SHADOW;
             spawn.light = light;
             const auto spawned = test::spawn(scene_, rays.rays, hits, spawn);
+            shadow_rays[depth] += spawned.active;
             masks = occlusion(mesh_, {spawned.rays, rays.width, rays.height}, masks, light);
         }
         return masks;
@@ -112,6 +120,27 @@ TEST(Frame, EqualsTheLoopOfThePublicCalls) {
         const auto image = test::frame(test::DeviceScene(test::gallery()), options);
         EXPECT_TRUE(
             test::same_bits(image, HandRolled(test::gallery(), options).render(), "pixels"));
+    }
+}
+
+TEST(Frame, CountsTheRaysOfItsWaves) {
+    const test::OwnContext context;
+    FrameOptions options = sized(64, 48, 2);
+    HandRolled loop(test::gallery(), options);
+    loop.render();
+    options.context = context.get();
+    RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
+    test::frame(test::DeviceScene(test::gallery()), options);
+    rsh_statistics s = {};
+    s.struct_size = sizeof s;
+    RSH_CHECK(rsh_get_statistics(context.get(), &s));
+    EXPECT_GT(s.shadow_rays[0], 0u);
+    for (uint32_t bounce = 0; bounce <= RSH_MAX_LEVELS; ++bounce) {
+        SCOPED_TRACE("bounce " + std::to_string(bounce));
+        EXPECT_EQ(s.shadow_rays[bounce], loop.shadow_rays[bounce]);
+        if (bounce > 0) {
+            EXPECT_EQ(s.active_rays[bounce], loop.spawned_rays[bounce]);
+        }
     }
 }
 

@@ -2,64 +2,12 @@
 // miscompile is played by kernels that are changed on their way to it.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 #include "support/buffer.hpp"
+#include "support/changed_kernels.hpp"
 #include "support/compare.hpp"
 #include "support/ways.hpp"
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// The kernels of the tree in a folder of their own, one of them changed, and a context that
-// compiles from there.
-class ChangedKernels {
-public:
-    ChangedKernels(const std::string& file, const std::string& from, const std::string& to) {
-        fs::create_directories(root_ / "include/rsh");
-        fs::copy(RSH_KERNEL_SOURCES, root_ / "kernels", fs::copy_options::recursive);
-        fs::copy(fs::path(RSH_KERNEL_SOURCES) / "../include/rsh/rsh_types.h",
-                 root_ / "include/rsh");
-        change(root_ / "kernels" / file, from, to);
-        const std::string folder = (root_ / "kernels").string();
-        rsh_context_desc desc = {};
-        desc.struct_size = sizeof desc;
-        desc.context = test::device().context();
-        desc.device = test::device().device();
-        desc.cache_dir = "";
-        desc.kernel_dir = folder.c_str();
-        RSH_CHECK(rsh_create_context(&desc, &context_));
-    }
-    ~ChangedKernels() {
-        rsh_release_context(context_);
-        std::error_code ignored;
-        fs::remove_all(root_, ignored);
-    }
-    ChangedKernels(const ChangedKernels&) = delete;
-    ChangedKernels& operator=(const ChangedKernels&) = delete;
-
-    rsh_context context() const { return context_; }
-
-private:
-    static void change(const fs::path& path, const std::string& from, const std::string& to) {
-        std::stringstream text;
-        text << std::ifstream(path).rdbuf();
-        std::string source = text.str();
-        const size_t at = source.find(from);
-        ASSERT_NE(at, std::string::npos) << path << " has no \"" << from << '"';
-        std::ofstream(path) << source.replace(at, from.size(), to);
-    }
-
-    fs::path root_ = fs::temp_directory_path() /
-                     ("rsh-kernels-" + std::to_string(getpid()) + "-" +
-                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    rsh_context context_ = nullptr;
-};
 
 rsh_selftest run_selftest(rsh_context context) {
     rsh_selftest report = {};
@@ -124,8 +72,8 @@ TEST(SelfTest, FindsEveryStrategySafeHere) {
 }
 
 TEST(SelfTest, MasksAndNamesAStrategyThatIsCompiledWrong) {
-    const ChangedKernels wrong("reduce/scan_scatter.cl", "at += rank.total;",
-                               "at += rank.total - (tile.begin > 60000);");
+    const test::ChangedKernels wrong("reduce/scan_scatter.cl", "at += rank.total;",
+                                     "at += rank.total - (tile.begin > 60000);");
     const rsh_selftest report = run_selftest(wrong.context());
     EXPECT_EQ(report.unsafe_strategies, 1u << RSH_STRATEGY_SCAN_SCATTER);
     EXPECT_EQ(std::string(report.first_failure).find("scan_scatter: 70001 elements"), 0u)
@@ -141,14 +89,15 @@ TEST(SelfTest, MasksAndNamesAStrategyThatIsCompiledWrong) {
 }
 
 TEST(SelfTest, NamesAStrategyThatDoesNotCompile) {
-    const ChangedKernels wrong("reduce/atomic.cl", "__kernel void", "__kernel vid");
+    const test::ChangedKernels wrong("reduce/atomic.cl", "__kernel void", "__kernel vid");
     const rsh_selftest report = run_selftest(wrong.context());
     EXPECT_EQ(report.unsafe_strategies, 1u << RSH_STRATEGY_ATOMIC);
     EXPECT_EQ(std::string(report.first_failure).find("atomic: "), 0u) << report.first_failure;
 }
 
 TEST(SelfTest, KeepsAutoFromWhatItMasked) {
-    const ChangedKernels wrong("reduce/lookback.cl", "return at;", "return at + (at > 0);");
+    const test::ChangedKernels wrong("reduce/lookback.cl", "return at;",
+                                     "return at + (at > 0);");
     Reduction reduction;
     EXPECT_EQ(run_selftest(wrong.context()).unsafe_strategies, 1u << RSH_STRATEGY_LOOKBACK);
     EXPECT_EQ(reduction.run(wrong.context(), RSH_STRATEGY_AUTO), RSH_SUCCESS);
@@ -158,8 +107,8 @@ TEST(SelfTest, KeepsAutoFromWhatItMasked) {
 // Whatever another thread finds out meanwhile: a call has memory for the strategy that it chose.
 // This driver gets lookback wrong, but for the stream of a traversal.
 TEST(SelfTest, LeavesCallsUnderWayWithTheirStrategy) {
-    const ChangedKernels wrong("reduce/lookback.cl", "return at;",
-                               "return at + (RSH_WORDS == 1 && at > 0);");
+    const test::ChangedKernels wrong("reduce/lookback.cl", "return at;",
+                                     "return at + (RSH_WORDS == 1 && at > 0);");
     test::Random random(3);
     const test::DeviceMesh mesh(test::random_soup(random, 20000, 0.02f));
     const test::Rays rays = test::random_rays(random, 32, 32);
@@ -180,8 +129,8 @@ TEST(SelfTest, LeavesCallsUnderWayWithTheirStrategy) {
 
 // As if no work-group ever saw another one's messages.
 TEST(Lookback, NeedsNoAnswerFromOtherTiles) {
-    const ChangedKernels silent("reduce/lookback.cl", "return atomic_add(word, 0);",
-                                "return 0;");
+    const test::ChangedKernels silent("reduce/lookback.cl", "return atomic_add(word, 0);",
+                                      "return 0;");
     Reduction reduction;
     EXPECT_EQ(reduction.run(silent.context(), RSH_STRATEGY_LOOKBACK), RSH_SUCCESS);
     EXPECT_TRUE(reduction.is_right());

@@ -263,6 +263,17 @@ std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,
     return hits.read();
 }
 
+rsh_statistics statistics_of(const DeviceMesh& mesh, const Rays& rays, TraceOptions options) {
+    const OwnContext own;
+    if (!options.context) options.context = own.get();
+    RSH_CHECK(rsh_count_statistics(options.context, CL_TRUE));
+    closest_hits(mesh, rays, options);
+    rsh_statistics counted = {};
+    counted.struct_size = sizeof counted;
+    RSH_CHECK(rsh_get_statistics(options.context, &counted));
+    return counted;
+}
+
 std::vector<uint32_t> occlusion(const DeviceMesh& mesh, const Rays& rays,
                                 std::vector<uint32_t> masks, uint32_t bit,
                                 const TraceOptions& options) {

@@ -91,6 +91,9 @@ struct TraceOptions {
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,
                                   const TraceOptions& options = {});
 
+// What that counts, and nothing else.
+rsh_statistics statistics_of(const DeviceMesh& mesh, const Rays& rays, TraceOptions options);
+
 // Masks with bit `bit` set where something is hit; all other bits start as in `masks`.
 std::vector<uint32_t> occlusion(const DeviceMesh& mesh, const Rays& rays,
                                 std::vector<uint32_t> masks, uint32_t bit,

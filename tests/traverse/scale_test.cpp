@@ -117,15 +117,9 @@ TEST(Scale, OfAnySizeLosesNoHit) {
 
 // Pairs of the engine whose nodes and spheres are told apart by squares.
 std::vector<cl_ulong> pairs_tested(const Mesh& mesh, const Rays& rays) {
-    const test::OwnContext context;
-    RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
     test::TraceOptions options;
     options.engine = RSH_ENGINE_PAPER_FAITHFUL;
-    options.context = context.get();
-    closest_hits(test::DeviceMesh(mesh), rays, options);
-    rsh_statistics s = {};
-    s.struct_size = sizeof s;
-    RSH_CHECK(rsh_get_statistics(context.get(), &s));
+    const rsh_statistics s = test::statistics_of(test::DeviceMesh(mesh), rays, options);
     return std::vector<cl_ulong>(std::begin(s.pairs_tested), std::end(s.pairs_tested));
 }
 

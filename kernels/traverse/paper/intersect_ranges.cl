@@ -8,6 +8,7 @@
  */
 #include "bvh/layout.h"
 #include "rays/nodes_head.h"
+#include "traverse/count.h"
 #include "traverse/paper/intersect_ranges.h"
 #include "traverse/paper/ranges.h"
 #include "traverse/paper/siblings.h"
@@ -107,6 +108,6 @@ __kernel void rsh_intersect_ranges_finish(
     }
     intersect_gathered(&target, tile, &gathered);
     if (!step.is_counting) return;
-    atomic_add(tally + RSH_TALLY_FINISHED, range.count);
-    atomic_add(tally + RSH_TALLY_FINISHED + 1, pairs);
+    add_to_count(tally + RSH_TALLY_FINISHED, range.count);
+    add_to_count(tally + RSH_TALLY_FINISHED + 2, pairs);
 }

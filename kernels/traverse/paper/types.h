@@ -21,9 +21,10 @@ RSH_ASSERT_SIZE(range_step, 44);
 
 /* Words that such a batch leaves for the statistics: [level] pairs in the stream of the level,
  * [RSH_TALLY_SURVIVORS + level] those that there should have been, [RSH_TALLY_FINISHED] tests
- * of triangles against a tile's blocks by rsh_intersect_ranges_finish, [... + 1] against rays. */
+ * of triangles against a tile's blocks by rsh_intersect_ranges_finish, [... + 2] against rays;
+ * these two as traverse/count.h has them. */
 #define RSH_TALLY_SURVIVORS 17
 #define RSH_TALLY_FINISHED 34
-#define RSH_TALLY_WORDS 36
+#define RSH_TALLY_WORDS 38
 
 #endif

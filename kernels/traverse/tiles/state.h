@@ -28,7 +28,7 @@ typedef struct traversal_state {
     float leaf_size;    /* surface of the scene's box, by leaves */
     interval_packet16 blocks;
     ray_packet packet[16];
-    uint node_tests, ray_tests;
+    ulong node_tests, ray_tests;
     uint stack_size;
     ulong stack[RSH_STACK]; /* from which t on (its bits), name */
 } traversal_state;

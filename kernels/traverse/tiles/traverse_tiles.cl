@@ -11,6 +11,7 @@
  * leaves out tests that cannot succeed.
  */
 #include "rays/nodes_head.h"
+#include "traverse/count.h"
 #include "traverse/tiles/descend_packet.h"
 #include "traverse/tiles/packet_cost.h"
 #include "traverse/wrong_buffers.h"
@@ -144,7 +145,8 @@ static uint begin_tile(traversal_state* state)
         active |= RSH_LANE_BITS(state->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
     }
     state->is_converging = as_uint(state->nodes[16 * 13]) != 0;
-    state->loaded = state->node_tests = state->ray_tests = state->stack_size = 0;
+    state->node_tests = state->ray_tests = 0;
+    state->loaded = state->stack_size = 0;
     if (!active) return 0;
     for (uint axis = 0; axis < 3; ++axis)
         for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -159,7 +161,8 @@ static uint begin_tile(traversal_state* state)
 /* The tile finds nothing. */
 static uint begin_nothing(traversal_state* state)
 {
-    state->loaded = state->node_tests = state->ray_tests = 0;
+    state->node_tests = state->ray_tests = 0;
+    state->loaded = 0;
     return 0;
 }
 
@@ -217,6 +220,6 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, r
     }
     store_answers(&state, hits, occlusion, occlusion_bit);
     if (!is_counting) return;
-    atomic_add(counts, state.node_tests);
-    atomic_add(counts + 1, state.ray_tests);
+    add_to_count(counts, state.node_tests);
+    add_to_count(counts + 2, state.ray_tests);
 }

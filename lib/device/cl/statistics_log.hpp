@@ -37,6 +37,11 @@ private:
     cl::Event event_;
 };
 
+// A count of 64 bits as the device makes it; see kernels/traverse/count.h.
+inline cl_ulong count_of(const cl_uint* words) {
+    return words[0] | cl_ulong{words[1]} << 32;
+}
+
 class StatisticsLog {
 public:
     void enable(bool enabled);

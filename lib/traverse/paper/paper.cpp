@@ -77,9 +77,11 @@ void add_tally(rsh_statistics& sums, const range_step& root, const cl_uint* tall
         sums.peak_pairs = std::max(sums.peak_pairs, held);
         (level > 1 ? sums.node_tests : sums.ray_tests) += 16 * held;
     }
-    sums.node_tests += 16 * cl_ulong{tally[RSH_TALLY_FINISHED]};
-    sums.ray_tests += 16 * cl_ulong{tally[RSH_TALLY_FINISHED + 1]};
-    sums.pairs_tested[0] += 16 * (cl_ulong{tally[1]} + cl_ulong{tally[RSH_TALLY_FINISHED + 1]});
+    const cl_ulong by_blocks = count_of(tally + RSH_TALLY_FINISHED);
+    const cl_ulong by_rays = count_of(tally + RSH_TALLY_FINISHED + 2);
+    sums.node_tests += 16 * by_blocks;
+    sums.ray_tests += 16 * by_rays;
+    sums.pairs_tested[0] += 16 * (tally[1] + by_rays);
 }
 
 class Traversal {

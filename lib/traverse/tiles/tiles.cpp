@@ -8,13 +8,13 @@
 namespace rsh {
 namespace {
 
-constexpr size_t kCounts = 2;  // node tests, ray tests
+constexpr size_t kCountWords = 4;  // node tests, ray tests
 
 void count_tests(Recorder& recorder, cl_mem counts) {
-    recorder.count_later(counts, kCounts, [](rsh_statistics& sums, const cl_uint* tests) {
+    recorder.count_later(counts, kCountWords, [](rsh_statistics& sums, const cl_uint* tests) {
         ++sums.batches;
-        sums.node_tests += tests[0];
-        sums.ray_tests += tests[1];
+        sums.node_tests += count_of(tests);
+        sums.ray_tests += count_of(tests + 2);
     });
 }
 
@@ -23,7 +23,7 @@ void count_tests(Recorder& recorder, cl_mem counts) {
 Layout Tiles::scratch(const Context& context, const rsh_traverse_desc& desc,
                       BoundsFrom from) const {
     Layout layout(context.caps.alignment);
-    layout.add_array<cl_uint>("counts", kCounts);
+    layout.add_array<cl_uint>("counts", kCountWords);
     reserve_bounds(layout, context, desc, from);
     return layout;
 }
@@ -35,7 +35,7 @@ void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const cl_mem bounds = desc.bounds ? desc.bounds : make_bounds(recorder, desc, memory);
     const bool is_counting = context.statistics.enabled();
     report_progress(desc, 0, 1);
-    if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCounts * 4);
+    if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCountWords * 4);
     const rsh_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
                     recorder.serial_range(node_count(shape, 2)),
