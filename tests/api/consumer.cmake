@@ -1,7 +1,10 @@
-# consumer.cmake - installs the build tree into a folder of its own, moves that folder, builds the
-# consumer against it and runs both programs.
-#   -D BUILD=... build tree   -D SOURCE=... consumer   -D WORK=... scratch folder   -D LIBDIR=lib
-cmake_minimum_required(VERSION 3.21)
+# consumer.cmake - builds and runs the consumer with rsh found in one way:
+#   package, package_static          find_package in an installed tree that was moved
+#   pkg_config, pkg_config_static    pkg-config in one; the second has no shared library
+#   subproject                       FetchContent; then its install is used by find_package
+#   -D CASE=...  -D BUILD=build tree  -D CONSUMER=consumer  -D RSH_SOURCE=rsh  -D WORK=scratch folder
+#   -D LIBDIR=lib
+cmake_minimum_required(VERSION 3.20)
 function(run)
     execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
     if(NOT result EQUAL 0)
@@ -9,13 +12,32 @@ function(run)
     endif()
 endfunction()
 
+function(build_consumer case folder)
+    run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${folder} -DCASE=${case} ${ARGN} -DCMAKE_C_FLAGS=${C_FLAGS})
+    run(${CMAKE_COMMAND} --build ${folder} --parallel --target consumer)
+    run(${folder}/consumer)
+endfunction()
+
+# What still points at the place of installation breaks when the tree is used in another one.
+function(install_moved folder)
+    run(${CMAKE_COMMAND} --install ${folder} --prefix ${WORK}/installed)
+    file(RENAME ${WORK}/installed ${WORK}/moved)
+endfunction()
+
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
-# What still points at the first place breaks here.
-file(RENAME ${WORK}/installed ${WORK}/moved)
+set(ENV{CMAKE_BUILD_TYPE} "")
 set(ENV{PKG_CONFIG_PATH} ${WORK}/moved/${LIBDIR}/pkgconfig)
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/moved
-    -DCMAKE_C_FLAGS=${C_FLAGS})
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/by_package)
-run(${WORK}/build/by_pkg_config)
+if(CASE STREQUAL "subproject")
+    build_consumer(subproject ${WORK}/parent -DRSH_SOURCE=${RSH_SOURCE})
+    run(${CMAKE_COMMAND} --build ${WORK}/parent --target consumer_static)
+    run(${WORK}/parent/consumer_static)
+    install_moved(${WORK}/parent)
+    build_consumer(package ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/moved)
+else()
+    install_moved(${BUILD})
+    if(CASE STREQUAL "pkg_config_static")
+        file(GLOB shared ${WORK}/moved/${LIBDIR}/librsh.so*)
+        file(REMOVE ${shared})
+    endif()
+    build_consumer(${CASE} ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/moved)
+endif()
