@@ -17,4 +17,4 @@ target_compile_definitions(rsh_bench_tests PRIVATE
 target_link_libraries(rsh_bench_tests PRIVATE
     rsh_scene rsh::rsh OpenCL::OpenCL CLI11::CLI11 fmt::fmt GTest::gtest_main)
 rsh_warnings(rsh_bench_tests)
-gtest_discover_tests(rsh_bench_tests)
+rsh_add_shards(rsh_bench_tests 1)
