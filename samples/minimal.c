@@ -11,15 +11,13 @@
 #include <stdlib.h>
 
 /* rsh never prints and never exits: that is the caller's choice. */
-static void require(rsh_status status, const char* call)
-{
+static void require(rsh_status status, const char* call) {
     if (status == RSH_SUCCESS) return;
     fprintf(stderr, "%s: %s: %s\n", call, rsh_status_string(status), rsh_last_error());
     exit(EXIT_FAILURE);
 }
 
-static cl_mem make_buffer(cl_context context, size_t bytes, const void* contents)
-{
+static cl_mem make_buffer(cl_context context, size_t bytes, const void* contents) {
     cl_int status = CL_SUCCESS;
     const cl_mem_flags flags =
         CL_MEM_READ_WRITE | (contents ? CL_MEM_COPY_HOST_PTR : (cl_mem_flags)0);
@@ -29,8 +27,7 @@ static cl_mem make_buffer(cl_context context, size_t bytes, const void* contents
     return buffer;
 }
 
-int main(void)
-{
+int main(void) {
     /* A triangle in the plane z = 0 and a ray that looks along -z from above its inside. The
      * ray starts at t = 0 and has no end; its direction need not have length 1. */
     static const cl_float vertices[9] = {0, 0, 0, 4, 0, 0, 0, 4, 0};
@@ -80,8 +77,9 @@ int main(void)
     /* Both calls only enqueued; the queue is in order, so this read comes after them and blocks
      * until the hit is there. */
     rsh_hit hit;
-    require(clEnqueueReadBuffer(queue, traverse.hits, CL_TRUE, 0, sizeof hit, &hit, 0, NULL, NULL),
-            "clEnqueueReadBuffer");
+    require(
+        clEnqueueReadBuffer(queue, traverse.hits, CL_TRUE, 0, sizeof hit, &hit, 0, NULL, NULL),
+        "clEnqueueReadBuffer");
     printf("triangle %u at t = %g, u = %g, v = %g\n", hit.primitive, hit.t, hit.u, hit.v);
 
     rsh_release_context(rsh);
