@@ -1,30 +1,78 @@
 #!/usr/bin/env bash
-# run.sh - all tests with one command, on a bare Debian 12: installs what is missing, then runs
-#   1. ctest of the release build,
-#   2. the tests again with the host code under the address and undefined-behaviour sanitizers,
-#   3. the kernel tests on Oclgrind, which finds data races and accesses outside of buffers.
-# Without an OpenCL device it fails. Builds in build/release and build/asan of the tree.
+# run.sh - all tests and checks with one command, on a bare Debian 12: installs what is missing, then
+#   1. builds the release with gcc, warnings as errors, and runs ctest,
+#   2. checks the house: clang's warnings, clang-format, clang-tidy on what changed, and every OpenCL
+#      program that the tests built through clang's front end,
+#   3. runs the tests again with the host code under the address and undefined-behaviour sanitizers,
+#   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers.
+# Without an OpenCL device it fails. Builds in build/release, build/clang and build/asan of the tree;
+# logs are in build/logs. The last line but the times counts the single tests of step 1.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export RSH_REQUIRE_DEVICE=1
+export RSH_REQUIRE_DEVICE=1 PYTHONDONTWRITEBYTECODE=1
 jobs=$(nproc)
 logs=build/logs
-mkdir -p "$logs"
+results=build/test-results
+rm -rf "$results" build/cache.*
+mkdir -p "$logs" "$results"
 
 step() { printf '\n== %s (%s s) ==\n' "$1" "$SECONDS"; }
 
 # Each run of a sanitizer or an emulator starts without programs that another one has cached.
-fresh_cache() { mktemp -d "${TMPDIR:-/tmp}/rsh-cache.XXXXXX"; }
+fresh_cache() { mktemp -d "$PWD/build/cache.XXXXXX"; }
+
+# run_shards NAME COMMAND...: one process of a GoogleTest program for each core. The log of shard i
+# is $logs/NAME.i.log. Fails when a shard fails or leaves no results.
+run_shards() {
+    local name=$1 i failed=0 shards=()
+    shift
+    for ((i = 0; i < jobs; ++i)); do
+        GTEST_TOTAL_SHARDS=$jobs GTEST_SHARD_INDEX=$i "$@" --gtest_brief=1 \
+            --gtest_output="json:$results/$name/rsh_tests.$i.json" >"$logs/$name.$i.log" 2>&1 &
+        shards+=($!)
+    done
+    for ((i = 0; i < jobs; ++i)); do
+        if ! wait "${shards[i]}" || [ ! -f "$results/$name/rsh_tests.$i.json" ]; then
+            tail -n 60 "$logs/$name.$i.log"
+            failed=1
+        fi
+    done
+    return $failed
+}
 
 run_release() {
     step "release: build"
     # Said again, because quickstart.sh configures the same folder without tests.
-    cmake --preset release -G Ninja -DRSH_BUILD_TESTS=ON -DRSH_BUILD_SAMPLES=ON \
+    cmake --preset release -G Ninja -DRSH_WERROR=ON -DRSH_BUILD_TESTS=ON -DRSH_BUILD_SAMPLES=ON \
         >"$logs/configure-release.log"
     cmake --build build/release -j "$jobs"
     step "release: ctest"
-    ctest --test-dir build/release -j "$jobs" --output-on-failure --no-tests=error |
-        tee "$logs/ctest.log"
+    local programs=$PWD/$results/programs status=0
+    rm -rf build/release/test-results
+    mkdir -p "$programs"
+    # Programs are recorded when they are built from source, so none may be cached.
+    LD_PRELOAD=$PWD/build/release/tests/librsh_record_programs.so RSH_RECORD_PROGRAMS=$programs \
+        RSH_CACHE_DIR=$(fresh_cache) ctest --test-dir build/release -j "$jobs" \
+        --output-on-failure --no-tests=error --output-junit "$PWD/$results/ctest.xml" |
+        tee "$logs/ctest.log" || status=1
+    tests/house/results.py build/release/test-results --ctest "$results/ctest.xml" |
+        tee "$logs/results.log" || status=1
+    return $status
+}
+
+check_house() {
+    step "house: clang's warnings"
+    CC=clang CXX=clang++ cmake -S . -B build/clang -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+        -DRSH_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$logs/configure-clang.log"
+    ! grep -q 'rsh_bench_commit:' <(ninja -C build/clang -t targets) ||
+        ninja -C build/clang rsh_bench_commit >>"$logs/configure-clang.log"
+    tests/house/compile_commands.py build/clang
+    step "house: format"
+    tests/house/format.sh
+    step "house: clang-tidy"
+    tests/house/tidy.py build/clang
+    step "house: OpenCL programs"
+    tests/house/check_programs.py "$results/programs" kernels
 }
 
 # Leaks are not looked for: PoCL and the LLVM inside of it keep what they allocate until the
@@ -37,12 +85,14 @@ run_sanitizers() {
     cmake --build build/asan -j "$jobs" --target rsh_tests
     step "sanitizers: tests"
     ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 RSH_CACHE_DIR=$(fresh_cache) \
-        build/asan/tests/rsh_tests --gtest_brief=1 2>&1 | tee "$logs/asan.log" | tail -n 40
+        run_shards asan build/asan/tests/rsh_tests
+    tests/house/results.py "$results/asan" | tail -n 20 | sed '$s/^/under the sanitizers: /'
 }
 
 # Oclgrind goes on after an error and exits with 0, so its report is searched. Kernels are compiled
 # without optimization: Oclgrind 21.10 gets operators on optimized vector comparisons wrong (in
-# (m == 0) & (v > 1) with int4 m, a lane that is true comes out as 1 instead of -1).
+# (m == 0) & (v > 1) with int4 m, a lane that is true comes out as 1 instead of -1). Every pattern
+# of the filter must match a test that ran.
 run_oclgrind() {
     step "Oclgrind: kernel tests"
     local filter='All/Reduce.EqualsCopyIf*:All/Reduce.Takes*_8:All/ReduceWidth.*_4'
@@ -51,25 +101,24 @@ run_oclgrind() {
     filter+=':All/Engine.FindsTheHits*/Reflected:All/Engine.FindsTheHits*/Strewn'
     filter+=':All/Box.*/Reflected:All/Traverse.*/InvalidRays*'
     filter+=':Rasterize.EqualsTracingInImagesOfAnyShape:Shade.MatchesWhittedInTheGallery'
-    filter+=':Spawn.Casts*:BoxOrder*:BoxCuts*:BoxTrees*:RayOrder*:Recount.OfNoise*'
-    RSH_TEST_SMALL=1 RSH_CACHE_DIR=$(fresh_cache) \
-        timeout 1500 oclgrind --data-races --build-options -cl-opt-disable \
-        build/release/tests/rsh_tests --gtest_brief=1 --gtest_filter="$filter" \
-        >"$logs/oclgrind.log" 2>&1 || {
-        tail -n 60 "$logs/oclgrind.log"
-        return 1
-    }
-    tail -n 3 "$logs/oclgrind.log"
-    if grep -n -A 12 -i -E 'data race|invalid (read|write)|uninitialized' "$logs/oclgrind.log" |
+    filter+=':Spawn.Casts*:BoxOrder*:BoxCuts*:BoxTrees*:RayOrder*'
+    RSH_TEST_SMALL=1 RSH_CACHE_DIR=$(fresh_cache) run_shards oclgrind \
+        timeout 1200 oclgrind --data-races --build-options -cl-opt-disable \
+        build/release/tests/rsh_tests --gtest_filter="$filter"
+    tests/house/results.py "$results/oclgrind" --each-of "$filter" | tail -n 20 |
+        sed '$s/^/on Oclgrind: /'
+    if grep -n -A 12 -i -E 'data race|invalid (read|write)|uninitialized' "$logs"/oclgrind.*.log |
         head -n 60 | grep .; then
-        echo "Oclgrind found errors, see $logs/oclgrind.log"
+        echo "Oclgrind found errors, see $logs/oclgrind.*.log"
         return 1
     fi
 }
 
 tests/install_packages.sh tests
 run_release
+check_house
 run_sanitizers
 run_oclgrind
 step "done"
 grep 'tests passed' "$logs/ctest.log"
+tail -n 1 "$logs/results.log"
