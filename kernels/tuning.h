@@ -22,12 +22,13 @@
  * more than half of a frame at 700 K triangles. */
 #define RSH_INCOHERENT_TRIANGLES(sampled) ((sampled) / 4)
 
-/* Bits of a coordinate where cells are sorted as well; 7 is what order/hilbert.h has room for. */
+/* Bits of a coordinate where cells are sorted as well; 7 is what order/hilbert.h has room
+ * for. */
 #define RSH_FINE_BITS 7
 
-/* A triangle is large when its box is longer than this, in lengths of the scene's box. Large ones
- * come first: each box that holds one among small ones would be large. More classes of sizes made
- * more nodes in every scene. */
+/* A triangle is large when its box is longer than this, in lengths of the scene's box. Large
+ * ones come first: each box that holds one among small ones would be large. More classes of
+ * sizes made more nodes in every scene. */
 #define RSH_LARGE 0.125f
 
 /* A range of 16 rays is incoherent when its origins span more than this of what all origins do;
@@ -48,15 +49,16 @@
 /* Triangles in a leaf, and children of a node, on the average: what the cuts below come to. */
 #define RSH_MEAN_RANGE 14.0f
 
-/* What a leaf costs besides its surface, which is 3 to 9 units. Between a tenth and two thirds of
- * that surface, the number of leaves that rays open hardly changes. */
+/* What a leaf costs besides its surface, which is 3 to 9 units. Between a tenth and two thirds
+ * of that surface, the number of leaves that rays open hardly changes. */
 #define RSH_LEAF_COST 1.5f
 
-/* The same of a node that is cut out of a row of leaves, and holds as many times the surface. */
+/* The same of a node that is cut out of a row of leaves, and holds as many times the
+ * surface. */
 #define RSH_RANGE_NODE_COST (RSH_MEAN_RANGE * RSH_LEAF_COST)
 
-/* What a node costs besides its surface where nodes come out of a binary tree. With 0, rays open
- * up to 5 % fewer, of a fifth more nodes. */
+/* What a node costs besides its surface where nodes come out of a binary tree. With 0, rays
+ * open up to 5 % fewer, of a fifth more nodes. */
 #define RSH_TREE_NODE_COST 8.0f
 
 /* Boxes that are cut at a time; cuts far from the end do not depend on what follows. */
@@ -78,15 +80,15 @@
 #define RSH_AHEAD 3
 
 /* An order is degraded when its boxes have so many times the surface that they had when it was
- * made, in relation to that of their triangles, which turn and grow themselves. Rays meet boxes by
- * their surface; above this, tracing loses more than sorting costs. */
+ * made, in relation to that of their triangles, which turn and grow themselves. Rays meet boxes
+ * by their surface; above this, tracing loses more than sorting costs. */
 #define RSH_DEGRADED 1.2f
 
-/* Traversal by tiles: traverse/tiles/. Halved and doubled, each of these six changed eight cases
- * by 2 % at most. */
+/* Traversal by tiles: traverse/tiles/. Halved and doubled, each of these six changed eight
+ * cases by 2 % at most. */
 
-/* A tile packet splits into blocks when at most this many of its blocks meet a box, plus one per
- * recent box that none of them met. */
+/* A tile packet splits into blocks when at most this many of its blocks meet a box, plus one
+ * per recent box that none of them met. */
 #define RSH_SPLIT_BLOCKS 2
 
 /* A block splits into single rays when at most this many of its rays meet a box, plus one per
@@ -101,9 +103,9 @@
 #define RSH_PACKET_COST 40.0f
 #define RSH_RAY_COST 8.0f
 
-/* A block is incoherent, and its rays go alone from the start, when it may visit this share of the
- * scene's leaves: its rays agree on no order of boxes. Diffuse rays: 4.8 times as quick; at a
- * lower share, coherent ones lose up to 1.7 times. */
+/* A block is incoherent, and its rays go alone from the start, when it may visit this share of
+ * the scene's leaves: its rays agree on no order of boxes. Diffuse rays: 4.8 times as quick; at
+ * a lower share, coherent ones lose up to 1.7 times. */
 #define RSH_INCOHERENT_SHARE 0.1f
 
 /* The other engines. */
@@ -119,8 +121,8 @@
 /* Elements that a work-item of a group takes of a tile. */
 #define RSH_PER_ITEM 4u
 
-/* Ranges of elements begin at multiples of this. A cache line of bytes that say what is kept, or
- * of 16-byte elements a multiple of it. */
+/* Ranges of elements begin at multiples of this. A cache line of bytes that say what is kept,
+ * or of 16-byte elements a multiple of it. */
 #define RSH_RANGE_STEP 64u
 
 /* Elements that a single work-item counts and then, still in the nearest cache, packs. */
@@ -135,8 +137,8 @@
 #define RSH_LARGE_WORDS 0x800000u
 #endif
 
-/* Cache lines, in words, ahead of a store in place that are asked for. Without, each store waits
- * for its line: 5 to 8 % where most is kept. */
+/* Cache lines, in words, ahead of a store in place that are asked for. Without, each store
+ * waits for its line: 5 to 8 % where most is kept. */
 #define RSH_STORE_AHEAD 128
 
 /* Times that `lookback` looks at a silent tile before it counts that tile itself. */

@@ -1,11 +1,15 @@
-/* binary_tree.h - a binary tree above boxes in their order along the curve (bvh/ploc.h), and
- * what each of its branches will cost in groups of 16 boxes, however many of the slots of the
- * node above are left to it:
- *   among(k) = min over i of  least(i) of the first + least(k - i) of the second
- *   alone    = among(16) + surface + cost,  a node of its own, in one slot
+/* binary_tree.h - a binary tree over boxes that lie in order along the curve (bvh/ploc.h builds
+ * it), and what each of its branches costs when it is collapsed into nodes of 16
+ * (bvh/collapse16.h).
+ *
+ * A ray visits a box in proportion to its surface (the surface area heuristic), so a node costs
+ * its surface, and RSH_TREE_NODE_COST, which makes for fewer nodes where surfaces hardly
+ * differ; leaves cost nothing. A branch that is given k slots of the node above it either lets
+ * its two children share them, or becomes a node of its own, in one slot, whose 16 slots its
+ * children share:
+ *   among(k) = min over i of  least(i) of the first child + least(k - i) of the second
+ *   alone    = among(16) + surface + node cost
  *   least(k) = min(among(k), alone)
- * where leaves cost nothing. A ray meets a box by its surface (the surface area heuristic);
- * the cost makes for fewer nodes where surfaces hardly differ.
  */
 #ifndef RSH_BVH_BINARY_TREE_H
 #define RSH_BVH_BINARY_TREE_H
@@ -13,17 +17,16 @@
 #include "bvh/leaf_cuts.h"
 #include "bvh/leaves.h"
 
-/* A node of its own only above so many leaves: see bvh/collapse16.h. */
+/* A branch over fewer leaves never becomes a node of its own; bvh/collapse16.h counts on it. */
 #define RSH_LEAST_LEAVES 9
 
-/* The tree of the scene while it grows. Boxes have numbers: those of leaves, then, after all
- * of them, those of branches. */
+/* The tree while it grows. Leaves and branches are numbered together, the leaves first. */
 typedef struct binary_tree {
     bvh_layout layout;
     __global const child_box* leaves;
     __global tree_branch* branches;
-    __global float* least_cost; /* (1) .. (16) of each branch */
-    __global tree_part* parts;  /* the last: of what is above them */
+    __global float* least_cost; /* least(1) .. least(16) of each branch */
+    __global tree_part* parts;  /* the last one: of what is above all parts */
     __global float* active;     /* words for active_nodes */
 } binary_tree;
 
@@ -65,13 +68,13 @@ static float16 least_cost_of(const binary_tree* tree, uint number)
     return is_branch(tree, number) ? vload16(0, least_cost_at(tree, number)) : (float16)(0.0f);
 }
 
-/* among(1) .. among(16), and how many of the slots the first has in each. */
+/* among(1) .. among(16); slot_split: how many of the slots the first child has in each. */
 static float16 cost_among(const binary_tree* tree, uint first, uint second, uchar16* slot_split)
 {
     const uchar16 others = (uchar16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     float behind[32], ahead[16];
     vstore16((float16)(INFINITY), 0, behind);
-    if (!is_branch(tree, first) || !is_branch(tree, second)) { /* a slot does for the leaf */
+    if (!is_branch(tree, first) || !is_branch(tree, second)) { /* a leaf needs one slot */
         *slot_split = is_branch(tree, first) ? others : (uchar16)(1);
         vstore16(least_cost_of(tree, is_branch(tree, first) ? first : second), 1, behind);
         return vload16(0, behind + 15);

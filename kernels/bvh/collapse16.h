@@ -1,34 +1,38 @@
-/* collapse16.h - groups of 16 boxes out of the binary tree of bvh/binary_tree.h: from the top down,
- * a node takes the boxes below a branch, and those below these, as is the cheapest; branches
- * that remain in it become nodes themselves.
+/* collapse16.h - nodes of 16 children out of the binary tree of bvh/binary_tree.h, from the top
+ * down: a branch that is a node takes its two children, and theirs, as is the cheapest;
+ * branches that remain in its slots become nodes themselves.
  *
- * There is room for an eighth as many nodes as leaves. Where a node has s slots in use and
- * one of those in it would use s' slots, s + s' >= 18, or it had been taken apart into the free
- * ones (fill_free_slots). So those in a node with s < 9 use more than 9 by at least 9 - s, and each
- * node, but for the topmost, has at least one in it or 9 leaves. On the average each uses 9
- * slots at least: of G nodes above L leaves, 9 G <= G - 1 + L, or G <= (L - 1) / 8. The
- * same holds among the nodes of one part.
- * Nodes get their numbers from the last on, so that those in them come before; those of one
- * node are neighbours.
+ * Claim: of G nodes above L leaves, in the whole tree or in a part, G <= (L - 1) / 8, or G = 1.
+ * That is the room that there is. Let a node use s of its slots, and a branch in one of them s'
+ * slots when it is a node itself. If s' <= 17 - s, its own slot and the free ones would do for
+ * its children, at less than the cost of a node, and fill_free_slots would have replaced it;
+ * hence s + s' >= 18. Below the topmost, a node with s < 9 slots has a branch in one of them,
+ * as there are nodes only above RSH_LEAST_LEAVES = 9 leaves and more; what it lacks to 9 slots,
+ * that child node has beyond 9. So nodes use 9 slots on the average, and more. Slots hold every
+ * node but the topmost, and all leaves: 9 G <= G - 1 + L.
+ *
+ * Nodes are numbered from the last one down, so that a node's children come before it; the
+ * children of one node are neighbours in memory.
  */
 #ifndef RSH_BVH_COLLAPSE16_H
 #define RSH_BVH_COLLAPSE16_H
 
 #include "bvh/binary_tree.h"
 
-/* Boxes that are going to be in a node, by their numbers. */
+/* The children that a node is going to have: numbers of leaves and branches. */
 typedef struct node_slots {
     uint number[16];
     uint count;
 } node_slots;
 
-/* How many of `slot_count` slots go to the first box below a branch; 0: it is a node of its own. */
+/* Of `slot_count` slots, how many the first child of a branch has; 0: the branch is a node. */
 static uint first_slots(const binary_tree* tree, uint number, uint slot_count)
 {
     return ((__global const uchar*)branch_of(tree, number)->slot_split)[slot_count - 1];
 }
 
-/* The boxes below a branch, and below these, that take up to `slot_count` slots, at least 2. */
+/* Adds what takes the place of a branch in `slot_count` slots, at least 2: its children,
+ * theirs, ... as is the cheapest. */
 static void expand_branch(const binary_tree* tree, uint number, uint slot_count,
                           node_slots* slots)
 {
@@ -47,8 +51,8 @@ static void expand_branch(const binary_tree* tree, uint number, uint slot_count,
     }
 }
 
-/* Where slots are free, branches that would be nodes for no gain are taken apart: where sums
- * were rounded to the same. */
+/* Where slots are free, a branch that gains nothing by being a node is replaced by its
+ * children: where sums were rounded to the same. */
 static void fill_free_slots(const binary_tree* tree, node_slots* slots)
 {
     for (uint s = 0; s < slots->count && slots->count < 16;) {
@@ -72,7 +76,7 @@ static node_slots slots_of(const binary_tree* tree, uint number)
     return slots;
 }
 
-/* The branch is to be a node, of the part that it is in. Returns the node's number. */
+/* Has a branch become a node, later, in the part that it lies in. Returns the node's number. */
 static uint schedule_node(const binary_tree* tree, uint number)
 {
     __global tree_branch* branch = branch_of(tree, number);
@@ -109,7 +113,7 @@ static void make_node(const binary_tree* tree, uint number, uint node, __global 
     store_slots(tree, &slots, bvh + node_at(&tree->layout, node));
 }
 
-/* Makes the nodes that wait for a part, and those in them that do then. */
+/* Makes the nodes of a part that wait, and those that come to wait while it does. */
 static void make_waiting_nodes(const binary_tree* tree, __global tree_part* part,
                                __global float* bvh)
 {

@@ -1,12 +1,11 @@
-/* layout.h - what rsh_bound makes for the bound `box`, and how to find one's way in it:
- *   head      bvh_head: what the rest is of
- *   leaves  RSH_LEAVES x bvh_leaf: triangles that lie close together. Where a part needs
- *             fewer than it has room for, the others hold none
- *   nodes    RSH_NODES x bvh_node: of leaves and of other nodes; those of the parts
- *             first, then those above
- *   order     a word per triangle: its number, by its place (bvh/order.cl)
- *   qualities   RSH_QUALITY_SAMPLES x refit_quality, of the order when it was made
- *   counts    bvh_part per part
+/* layout.h - a scene's BVH in one buffer, and where things lie in it:
+ *   head     bvh_head: what the rest was made of
+ *   leaves   RSH_LEAVES x bvh_leaf; those that a part has room for but does not need hold no
+ *            triangles
+ *   nodes    RSH_NODES x bvh_node; those of the parts first, then those above
+ *   order    a word per triangle: the triangles in their order along the curve (bvh/order.cl)
+ *   quality  RSH_QUALITY_SAMPLES x refit_quality, of the order when it was made
+ *   parts    bvh_part per part
  */
 #ifndef RSH_BVH_LAYOUT_H
 #define RSH_BVH_LAYOUT_H
@@ -23,16 +22,16 @@
 
 static ulong leaf_at(uint leaf) { return RSH_HEAD_WORDS + RSH_LEAF_WORDS * leaf; }
 
-/* How a node names a leaf that is in it. */
+/* bvh_node::child of a leaf. */
 static uint child_of_leaf(uint leaf, bool is_scaled)
 {
     return leaf | RSH_IS_LEAF | (is_scaled ? RSH_SCALED : 0);
 }
 
-/* Sides of a box that holds nothing: low x y z, high x y z. */
+/* Side f of an empty box: low x y z, high x y z. */
 static float empty_side(uint f) { return f < 3 ? INFINITY : -INFINITY; }
 
-/* Place: 16 * leaf + where in it. */
+/* place: 16 * leaf + which of its triangles. */
 static uint triangle_at_place(__global const float* bvh, uint place)
 {
     __global const float* leaf = bvh + leaf_at(place / 16);
@@ -51,7 +50,7 @@ static __global const bvh_head* const_head_of(__global const float* bvh)
     return (__global const bvh_head*)bvh;
 }
 
-/* Nothing else of the bounds may be read before this is true. */
+/* Whether the buffer holds a BVH of this layout. Nothing else of it may be read before. */
 static bool are_made_of(__global const float* bvh, bvh_layout layout)
 {
     const bvh_head head = *const_head_of(bvh);
@@ -68,7 +67,7 @@ static __global bvh_part* bvh_parts(const bvh_layout* layout, __global float* bv
     return (__global bvh_part*)(bvh + RSH_PARTS_AT(*layout));
 }
 
-/* The first node that is above leaves of several parts. */
+/* The first node above leaves of several parts. */
 static uint first_upper_node(const bvh_layout* layout)
 {
     return layout->parts * layout->part_nodes;

@@ -1,22 +1,22 @@
-/* leaf_builder.h - the triangles of a part on their way into leaves: loaded 16 at a time, cut
- * (bvh/leaf_cuts.h), stored with the boxes around them. */
+/* leaf_builder.h - the triangles of a part on their way into leaves: loaded 16 at a time into a
+ * row, cut there (bvh/leaf_cuts.h), stored with the boxes around them. */
 #ifndef RSH_BVH_LEAF_BUILDER_H
 #define RSH_BVH_LEAF_BUILDER_H
 
 #include "bvh/leaf_cuts.h"
 #include "bvh/leaves.h"
 
-/* A part of the triangles on its way into leaves: some of them in a row. */
 typedef struct leaf_builder {
     box_row row; /* boxes around triangles, not padded */
     float corner[9][RSH_WINDOW + 16];
-    uint triangle[RSH_WINDOW + 16]; /* numbers */
-    uint next, end;                 /* places of those not in the row yet */
-    uint leaves, first_leaf;        /* made so far, and the number of the first */
-    uint cut;                       /* triangles in these */
+    uint triangle[RSH_WINDOW + 16]; /* indices */
+    uint next, end;                 /* places in the order of what is not in the row yet */
+    uint leaves, first_leaf;        /* how many are made so far; number of the first */
+    uint cut;                       /* triangles in these leaves */
 } leaf_builder;
 
-/* leaves: where they will be stored, in bursts that should find their lines in the cache. */
+/* Fills the row. leaves: of the BVH; the cache lines of those that will be stored next are
+ * asked for, as leaves are stored in bursts. */
 static void load_triangles(leaf_builder* part, mesh_view mesh, __global const float* vertices,
                            __global const uint* indices, __global const uint* order,
                            __global const float* leaves)
@@ -47,8 +47,8 @@ static void load_triangles(leaf_builder* part, mesh_view mesh, __global const fl
     }
 }
 
-/* A part with more leaves than it has room for goes on with full ones: at least 14 triangles
- * to each on the average, but for three. */
+/* The room of a part (lib/bvh/layout.hpp) is for leaves of 14 triangles on the average, and
+ * three more. Where the best cuts would take more leaves, the row is cut into full ones. */
 static void cut_triangles(leaf_builder* part, float leaf_cost)
 {
     const bool is_last = part->next >= part->end;
@@ -59,7 +59,7 @@ static void cut_triangles(leaf_builder* part, float leaf_cost)
         cut_evenly(&part->row, is_last);
 }
 
-/* Returns whether mesh/intersect.h has any of the triangles to scale. */
+/* Returns whether mesh/intersect.h scales any of the triangles. */
 static bool store_leaf(const leaf_builder* part, uint first, uint length, __global float* leaf)
 {
     corner_rows corners;
@@ -87,7 +87,7 @@ static void clear_leaves(__global float* leaf, uint count)
     }
 }
 
-/* And leaves the boxes around them in `child_boxes`. */
+/* Stores the ranges of the row as leaves, and the padded boxes around them in child_boxes. */
 static void store_leaves(leaf_builder* part, __global float* bvh,
                          __global child_box* child_boxes)
 {

@@ -1,12 +1,13 @@
-/* leaf_cuts.h - a row of boxes, cut into ranges of 8 to 16 so that the boxes around the ranges have
- * the least surface. Along a curve, what is close lies together, but where one object ends and
- * the next begins is anywhere: ranges of 16 each straddle it, and rays meet them for nothing.
- * Half as many leaves are opened where the cuts are free.
+/* leaf_cuts.h - a row of boxes, cut into ranges of 8 to 16 so that the boxes around the ranges
+ * have the least surface. Along the curve, what is close in space lies together, but one object
+ * may end and the next begin anywhere: ranges of exactly 16 straddle such places, and rays
+ * visit them in vain. With free cuts, rays visit half as many leaves.
  *
- * The least sum of surfaces, and a cost per range, of any cuts before place j is
+ * The least sum of the surfaces of all ranges before place j, and of a cost per range, is
  *   least(j) = min over l = 8 .. 16 of  least(j - l) + surface of [j - l, j) + cost
- * (dynamic programming). Ranges are at least 8 long, so that 8 places can be looked at at once;
- * and the box around any of them is that around its first 8 and its last 8.
+ * (dynamic programming). Ranges are at least 8 long, so that 8 places can be decided at a time:
+ * none of them depends on another. And the box around a range is that around its first 8 and
+ * its last 8.
  */
 #ifndef RSH_BVH_LEAF_CUTS_H
 #define RSH_BVH_LEAF_CUTS_H
@@ -16,10 +17,10 @@
 
 #define RSH_LEAST_RANGE 8
 
-/* Boxes in a row, and their ranges from the first on. */
+/* Boxes in a row, and the ranges that they are cut into, from the first box on. */
 typedef struct box_row {
     float side[6][RSH_WINDOW + 16];  /* low x y z, high x y z */
-    float eight[6][RSH_WINDOW + 24]; /* of the box around 8, from box i on: at 8 + i */
+    float eight[6][RSH_WINDOW + 24]; /* [8 + i]: of the box around boxes i .. i + 7 */
     uint count;
     uint range_length[RSH_WINDOW / RSH_LEAST_RANGE + 1];
     uint range_count;
@@ -28,15 +29,17 @@ typedef struct box_row {
 #define RSH_LESSER8(a, b) select(b, a, a < b)
 #define RSH_GREATER8(a, b) select(b, a, a > b)
 
-/* Sums of surfaces stay finite. */
+/* No surface counts for more, so that sums stay finite. */
 #define RSH_MOST_SURFACE 1e30f
 
-/* The lower sides, or the higher, of the first 8 of a and of b. */
+/* Of the lower sides the least, or of the higher the greatest: of the first 8 of a, and of
+ * b. */
 #define RSH_JOIN8(low, a, b) \
     ((low) ? RSH_LESSER8((a).s01234567, b) : RSH_GREATER8((a).s01234567, b))
 
-/* From the last box to the first, in registers: what is read had otherwise just been written in
- * pieces of another size, which a CPU waits for. What lies behind the row does not matter. */
+/* Doubles: boxes around 2, 4, 8. From the last box to the first, in registers: read back from
+ * memory, the values would have been written in pieces of another size, which stalls a CPU.
+ * What lies behind the row does not matter. */
 static void bound_eights(box_row* row)
 {
     for (uint f = 0; f < 6; ++f) {
@@ -56,7 +59,7 @@ static void bound_eights(box_row* row)
     }
 }
 
-/* Half the surfaces of 8 boxes. What holds nothing has the most, as has what overflows. */
+/* Half the surfaces of 8 boxes; RSH_MOST_SURFACE for empty boxes and where it overflows. */
 static float8 surfaces_of(const float8* side)
 {
     const float8 most = (float8)(RSH_MOST_SURFACE);
@@ -65,7 +68,7 @@ static float8 surfaces_of(const float8* side)
     return RSH_LESSER8(surface, most);
 }
 
-/* Of the boxes around eight[at], at + 1, ... and `last`. */
+/* Of 8 boxes, each around the eight boxes from `at`, at + 1, ... on and those of `last`. */
 static float8 surfaces_from(const box_row* row, uint at, const float8* last)
 {
     float8 around[6];
@@ -77,8 +80,8 @@ static float8 surfaces_from(const box_row* row, uint at, const float8* last)
     return surfaces_of(around);
 }
 
-/* length[j]: of the range that ends before place j, for the best cuts up to there. No ranges end at
- * places before the row, nor at 1 to 7. */
+/* length[j]: of the range that ends before place j, when everything up to there is cut best. No
+ * range ends before the row begins, nor at places 1 to 7. */
 static void find_cuts(const box_row* row, float range_cost, int* length)
 {
     float16 least = (float16)(FLT_MAX); /* of the last 16 places */
@@ -101,7 +104,7 @@ static void find_cuts(const box_row* row, float range_cost, int* length)
     }
 }
 
-/* is_last: the row ends here. Else its last boxes are in no range yet. */
+/* is_last: no boxes follow. Otherwise the last ranges wait: what follows may change them. */
 static void cut_row(box_row* row, float range_cost, bool is_last)
 {
     row->range_count = 0;
@@ -118,7 +121,7 @@ static void cut_row(box_row* row, float range_cost, bool is_last)
     if (!is_last) row->range_count -= RSH_OPEN_RANGES;
 }
 
-/* Ranges of 16, whatever lies there. */
+/* Ranges of 16, wherever that cuts. */
 static void cut_evenly(box_row* row, bool is_last)
 {
     bound_eights(row);
@@ -150,7 +153,7 @@ static void shift_words(float* words, uint done, uint count)
     for (uint i = 0; i < count; i += 16) vstore16(vload16(0, words + done + i), 0, words + i);
 }
 
-/* Moves what is left behind the first `done` boxes to the front. */
+/* Moves the boxes behind the first `done` to the front. */
 static void shift_row(box_row* row, uint done)
 {
     row->count -= done;

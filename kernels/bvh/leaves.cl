@@ -1,20 +1,20 @@
-/* leaves.cl - leaves of triangles that lie close together, and nodes of leaves and
- * nodes, up to one. For this frame alone, nodes are ranges along the curve as leaves are;
- * where they are to be kept, they come out of a binary tree, which pays over some frames.
+/* leaves.cl - what a part of the scene makes of its own triangles: leaves, and above them
+ * either nodes that are ranges of leaves along the curve, for this frame alone, or a binary
+ * tree, for a BVH that is kept over frames: nodes out of it (bvh/nodes.cl) are slower to make
+ * and quicker to trace.
  *   vertices, indices  in      triangles
- *   samples              in      the scene's extent, from rsh_order_measure
+ *   samples            in      the scene's extent, from rsh_order_measure
  *   bvh                in/out  see bvh/layout.h; in: the order of the triangles
- *   child_boxes              -       boxes around leaves, by their numbers, then around nodes
- *   tree               -       RSH_TREE_WORDS; see bvh/types.h
- * Nothing is done where the order is the one that there was: bvh/refit.cl.
- * Does not look at rays.
+ *   child_boxes        out     boxes of the leaves, then of the nodes, by their numbers
+ *   tree               out     RSH_TREE_WORDS
+ * Does nothing where the order stayed the same: then bvh/refit.cl does.
  */
 #include "bvh/leaf_builder.h"
 #include "bvh/leaf_surface.h"
 #include "bvh/nodes_from_ranges.h"
 #include "bvh/ploc.h"
 
-/* Up to the highest branches of a part. */
+/* Grows the tree of a part, up to RSH_PART_ROOTS roots. */
 static void grow_part(const binary_tree* tree, float node_cost, uint part, uint leaves)
 {
     const uint first = part * tree->layout.part_leaves;
@@ -28,7 +28,7 @@ static void grow_part(const binary_tree* tree, float node_cost, uint part, uint 
     made->first_node = (part + 1) * tree->layout.part_nodes;
 }
 
-/* A work-item makes the leaves of a part, and the nodes or the tree above them. */
+/* A work-item takes a part. */
 __kernel void rsh_leaves(mesh_view mesh, __global const float* vertices,
                          __global const uint* indices, bvh_layout given_layout,
                          __global const sort_plan* sorting, uint sample_count,

@@ -1,4 +1,5 @@
-/* leaves.h - triangles 16 at a time, and the box around them. */
+/* leaves.h - triangles, 16 at a time: their corners, the boxes around them, and where leaves
+ * keep them. */
 #ifndef RSH_BVH_LEAVES_H
 #define RSH_BVH_LEAVES_H
 
@@ -6,12 +7,12 @@
 #include "mesh/boxes16.h"
 #include "mesh/intersect.h"
 
-/* Corners of 16 triangles, component by component. */
+/* Corners of 16 triangles, component by component, a lane each. */
 typedef struct corner_rows {
     floatv row[3][3][RSH_VECTORS]; /* [corner][axis] */
 } corner_rows;
 
-/* A word per lane: base[stride * element], element below count. */
+/* A word per lane: base[stride * element]; each element is below count. */
 static floatv gather_words(__global const float* base, uintv element, uint stride, uint count)
 {
     if (count == 0) return (floatv)(INFINITY);
@@ -22,7 +23,7 @@ static floatv gather_words(__global const float* base, uintv element, uint strid
     return load_lanes(lane);
 }
 
-/* The triangles `first` and on in their order; 0: that of their numbers. */
+/* Indices of the triangles from place `first` on; order 0: places are indices. */
 static uintv triangles_from(mesh_view mesh, __global const uint* order, uint first)
 {
     const uintv places = as_uintv(RSH_LANES) + first;
@@ -34,8 +35,8 @@ static uintv triangles_from(mesh_view mesh, __global const uint* order, uint fir
     return load_lanes(number);
 }
 
-/* Corners of triangles, vector v of them. What is never hit has them at infinity, which every
- * box misses and every test of mesh/intersect.h. */
+/* Corners of triangles, into vector v of `corners`. Those of a triangle that is never hit are
+ * set to infinity: outside of every box, and a miss for mesh/intersect.h. */
 static void load_corners_of(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, uintv triangle, uint v,
                             corner_rows* corners)
@@ -71,8 +72,8 @@ static void load_corners_of(mesh_view mesh, __global const float* vertices,
 }
 
 #ifdef RSH_GATHER
-/* The same for 16 triangles that are all sound, as nearly always: all of their vertices are
- * there and finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
+/* The same for 16 triangles that are all sound, as nearly always: every vertex is there and
+ * finite. Returns whether they are. RSH_GATHER takes signed word numbers. */
 static bool load_sound_corners(mesh_view mesh, __global const float* vertices,
                                __global const uint* indices, uint16 triangle,
                                corner_rows* corners)
@@ -118,7 +119,8 @@ static void load_corners(mesh_view mesh, __global const float* vertices,
                         triangles_from(mesh, order, first + RSH_WIDTH * v), v, corners);
 }
 
-/* The same for those that have numbers, up to 16, the others at infinity. */
+/* The same for up to 16 triangles by their indices; where an index is out of range, at
+ * infinity. */
 static void load_numbered_corners(mesh_view mesh, __global const float* vertices,
                                   __global const uint* indices, __global const uint* number,
                                   corner_rows* corners)
@@ -143,7 +145,7 @@ static void load_numbered_corners(mesh_view mesh, __global const float* vertices
                         corners);
 }
 
-/* Boxes of 16 triangles, not padded; those that are never hit hold nothing. */
+/* Boxes of 16 triangles, not padded; empty for those that are never hit. */
 static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
 {
 #pragma unroll
@@ -157,7 +159,7 @@ static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
         }
 }
 
-/* Whether mesh/intersect.h has any of the triangles to scale. */
+/* Whether mesh/intersect.h scales any of the triangles. */
 static bool is_any_scaled(const corner_rows* corners)
 {
     uint scaled = 0;
@@ -179,7 +181,7 @@ static void store_corners(const corner_rows* corners, __global float* leaf)
             store_whole(__global, corners->row[i / 3][i % 3][v], leaf + 16 * i + RSH_WIDTH * v);
 }
 
-/* A leaf is about to be written, or read and written. */
+/* Asks for the cache lines of a leaf that will be written soon. */
 static void expect_stores(__global const float* leaf)
 {
 #ifdef RSH_EXPECT_STORE
@@ -188,10 +190,10 @@ static void expect_stores(__global const float* leaf)
 #endif
 }
 
-/* side: low x y z, high x y z. */
+/* Pads a box as rays/box_node.h derives. side: low x y z, high x y z. */
 static void pad_box(float* side)
 {
-    if (!(side[0] <= side[3])) return; /* holds nothing */
+    if (!(side[0] <= side[3])) return; /* empty */
     float reach = 0.0f;
 #pragma unroll
     for (uint f = 0; f < 6; ++f) {
@@ -203,7 +205,7 @@ static void pad_box(float* side)
     for (uint f = 0; f < 6; ++f) side[f] += f < 3 ? -pad : pad;
 }
 
-/* Half of a box's surface; 0 if it holds nothing. */
+/* Half the surface of a box; 0 if it is empty. */
 static float surface_of(const float* low, const float* high)
 {
     const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];

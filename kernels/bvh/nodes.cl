@@ -1,16 +1,18 @@
-/* nodes.cl - the nodes above the leaves of several parts, and those that come out of the binary
- * tree.
+/* nodes.cl - the nodes above the leaves of several parts, and all nodes that come out of the
+ * binary tree.
  *   samples      in      the scene's extent, from rsh_order_measure
- *   bvh          in/out  see bvh/layout.h
- *   child_boxes  in/out  boxes around leaves, by their numbers, then around nodes
- *   tree         in/out  RSH_TREE_WORDS; see bvh/types.h
+ *   bvh          in/out  see bvh/layout.h; in: the leaves
+ *   child_boxes  in/out  boxes of the leaves, then of the nodes, by their numbers
+ *   tree         in/out  RSH_TREE_WORDS; in: as bvh/leaves.cl leaves it
+ * Does nothing where the order of the triangles stayed the same.
  */
 #include "bvh/collapse16.h"
 #include "bvh/leaf_surface.h"
 #include "bvh/nodes_from_ranges.h"
 #include "bvh/ploc.h"
 
-/* Nodes of the parts' nodes; one work-item: there are 200 times fewer than triangles. */
+/* Ranges of the parts' nodes, of these, and so on, up to one node. One work-item: the parts
+ * have 200 times fewer nodes than triangles. */
 __kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort_plan* sorting,
                                     uint sample_count, __global const sample_bounds* samples,
                                     __global float* bvh, __global child_box* child_boxes)
@@ -24,7 +26,8 @@ __kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort
     *head_of(bvh) = (bvh_head){RSH_BVH_MADE, layout, nodes};
 }
 
-/* The tree above the parts, and the nodes at its top; one work-item: a part leaves 4 boxes. */
+/* The tree above the roots of the parts, and the nodes at its top. One work-item: a part has at
+ * most 4 roots. */
 __kernel void rsh_nodes_tree_top(bvh_layout given_layout, __global const sort_plan* sorting,
                                  uint sample_count, __global const sample_bounds* samples,
                                  __global float* bvh, __global const child_box* child_boxes,
@@ -49,7 +52,7 @@ __kernel void rsh_nodes_tree_top(bvh_layout given_layout, __global const sort_pl
     *head_of(bvh) = (bvh_head){0, layout, {above->first_node, end}};
 }
 
-/* What a part has, and will be read in no order. */
+/* Asks for the cache lines of a part that will be read in no order. */
 static void expect_part(const binary_tree* tree, uint part)
 {
 #ifdef RSH_EXPECT_LOAD
@@ -59,7 +62,7 @@ static void expect_part(const binary_tree* tree, uint part)
 #endif
 }
 
-/* A work-item makes the nodes of a part. Nothing is left to be done after that. */
+/* A work-item makes the nodes of a part. Afterwards the BVH is complete. */
 __kernel void rsh_nodes_tree_parts(bvh_layout given_layout, __global const sort_plan* sorting,
                                    __global float* bvh, __global const child_box* child_boxes,
                                    __global float* tree)

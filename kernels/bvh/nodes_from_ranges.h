@@ -1,7 +1,7 @@
-/* nodes_from_ranges.h - groups of 16 boxes as leaves are made of triangles: ranges of 8 and more in
- * their order along the curve, and ranges of these, up to one. A tenth of the work that the tree
- * of bvh/binary_tree.h is; rays alone open more of them. Nodes get their numbers from the first on,
- * so that those in them come before.
+/* nodes_from_ranges.h - nodes that are ranges of leaves along the curve, 8 to 16 each, cut like
+ * the leaves themselves; then nodes that are ranges of these, up to one. A tenth of the work
+ * that the binary tree of bvh/binary_tree.h is, but single rays visit more nodes. Nodes are
+ * numbered from the first one up, so that a node's children come before it.
  */
 #ifndef RSH_BVH_NODES_FROM_RANGES_H
 #define RSH_BVH_NODES_FROM_RANGES_H
@@ -9,12 +9,12 @@
 #include "bvh/leaf_cuts.h"
 #include "bvh/leaves.h"
 
-/* Boxes of a level on their way into nodes, and where these go. */
+/* A level of nodes while it is made: the boxes of its children pass through a row. */
 typedef struct level_builder {
     box_row row;
     uint child[RSH_WINDOW + 16];
-    float node_cost; /* of a node */
-    uint next_node;  /* number */
+    float node_cost;
+    uint next_node; /* the number that the next node gets */
 } level_builder;
 
 static void store_node(const level_builder* level, uint first, uint length,
@@ -35,7 +35,7 @@ static void store_node(const level_builder* level, uint first, uint length,
     }
 }
 
-/* Stores the ranges of the row as nodes, and the boxes around them in `child_boxes`. */
+/* Stores the ranges of the row as nodes, and the boxes around them in child_boxes. */
 static void store_nodes(level_builder* level, const bvh_layout* layout, __global float* bvh,
                         __global child_box* child_boxes)
 {
@@ -53,7 +53,7 @@ static void store_nodes(level_builder* level, const bvh_layout* layout, __global
     shift_words((float*)level->child, first, level->row.count);
 }
 
-/* The boxes first .. end - 1 of `child_boxes` are next; some of them wait in the row. */
+/* Adds the boxes first .. end - 1 of child_boxes; the last ones may wait in the row. */
 static void add_boxes_from(level_builder* level, uint first, uint end, const bvh_layout* layout,
                            __global float* bvh, __global child_box* child_boxes)
 {
@@ -68,7 +68,7 @@ static void add_boxes_from(level_builder* level, uint first, uint end, const bvh
     }
 }
 
-/* A level that fits into one node does not become two. */
+/* At the top, a level that fits into one node becomes one. */
 static void end_level(level_builder* level, bool is_top, const bvh_layout* layout,
                       __global float* bvh, __global child_box* child_boxes)
 {
@@ -86,7 +86,7 @@ static void begin_levels(level_builder* level, float node_cost, uint first_node)
     level->next_node = first_node;
 }
 
-/* Nodes of the leaves of a part. */
+/* One level of nodes above the leaves of a part. */
 static node_range nodes_of_part(const bvh_layout* layout, float node_cost, uint part,
                                 uint leaves, __global float* bvh,
                                 __global child_box* child_boxes)
@@ -101,7 +101,7 @@ static node_range nodes_of_part(const bvh_layout* layout, float node_cost, uint 
     return made;
 }
 
-/* Nodes of the parts' nodes, level by level. */
+/* All levels above the nodes of the parts. */
 static node_range nodes_above_parts(const bvh_layout* layout, float node_cost,
                                     __global float* bvh, __global child_box* child_boxes)
 {

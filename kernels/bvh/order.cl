@@ -1,13 +1,14 @@
-/* order.cl - keys for the order in which triangles make leaves: along Hilbert's
- * curve, the few that are large against the scene first, lest every box that holds one of them
- * among small ones becomes large.
- *   vertices, indices  in   triangles
- *   sorting, keys      out  for order/sort.cl, and how many triangles are in each of its bins, cells
- *   wrong              out  RSH_WRONG_BOUNDS: an update found no bounds
- *   is_refit, now,    in   1: the order that `bvh` hold stays if it serves (bvh/refit_quality.h);
- *   bvh                     else they are no bounds any more
- * Where ranges of 16 triangles are compact as they come, as in most meshes, they stay in their
- * order within a cell. Where they are not, each cell is sorted on. The device decides. A
+/* order.cl - keys for the order in which triangles become leaves: along Hilbert's curve, after
+ * the few that are large beside the scene.
+ *   vertices, indices  in      triangles
+ *   sorting, keys      out     for order/sort.cl
+ *   bins               out     how many triangles are in each bin, that is, in each cell
+ *   wrong              out     RSH_WRONG_BOUNDS: a refit found no BVH of this layout
+ *   bvh                in/out  with is_refit, its order stays if that still serves
+ *                              (bvh/refit_quality.h); otherwise it is marked as not made
+ *   now                in      how compact that order is now; rsh_order_quality measures it
+ * Where ranges of 16 triangles are compact as they come, as in most meshes, triangles keep
+ * their order within a cell; where they are not, each cell is sorted too. The device decides. A
  * work-item has a range of the triangles.
  */
 #include "bvh/refit_quality.h"
@@ -28,7 +29,7 @@ static void sample_triangles(const boxes16* boxes, sample_bounds* bounds)
         surface_of(low, high) > RSH_INCOHERENT_SURFACE * surface_of_boxes(boxes);
 }
 
-/* Looks at the order that `bvh` hold; if `is_record`, only at one that was made just now. */
+/* Measures the order that the BVH holds; with is_record, only one that was made just now. */
 __kernel void rsh_order_quality(mesh_view mesh, __global const float* vertices,
                                 __global const uint* indices, bvh_layout layout, uint is_record,
                                 __global const sort_plan* sorting, __global const float* bvh,
@@ -49,7 +50,7 @@ static bool keeps_order(uint is_refit, __global const refit_quality* now,
            order_serves(now, (__global const refit_quality*)(bvh + RSH_QUALITY_AT(layout)));
 }
 
-/* Decides whether there is a new order, for all that follows. */
+/* Decides, for all launches that follow, whether there will be a new order. */
 __kernel void rsh_order_measure(mesh_view mesh, __global const float* vertices,
                                 __global const uint* indices, bvh_layout layout, uint is_refit,
                                 __global const refit_quality* now, __global const float* bvh,
@@ -73,11 +74,11 @@ __kernel void rsh_order_measure(mesh_view mesh, __global const float* vertices,
     samples[get_global_id(0)] = bounds;
 }
 
-/* How triangles get their keys: cell * 2^bin_shift + place in the cell. */
+/* How triangles get their keys: cell << bin_shift | place along the curve within the cell. */
 typedef struct key_grid {
     float low[3], scale, large;
-    uint bits;      /* of a coordinate */
-    uint cell_bits; /* those that make the cell */
+    uint bits;      /* of a coordinate of the key */
+    uint cell_bits; /* the upper ones of these, which make the cell */
     uint bin_shift;
 } key_grid;
 
@@ -119,7 +120,7 @@ static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* keys)
     }
 }
 
-/* Keys of all triangles, and how many are in each cell. */
+/* Keys of all triangles, and how many of them are in each cell. */
 __kernel void rsh_order_keys(mesh_view mesh, __global const float* vertices,
                              __global const uint* indices, __global float* bvh, uint cell_bits,
                              __global const sample_bounds* samples, __global sort_plan* sorting,

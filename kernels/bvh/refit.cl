@@ -1,16 +1,17 @@
-/* refit.cl - leaves and nodes of triangles that moved, where their order stayed: the
- * same triangles in each, and the same nodes, around where they are now.
+/* refit.cl - fits leaves and nodes to triangles that moved, where the order of the triangles
+ * stayed: every leaf keeps its triangles, every node its children.
  *   vertices, indices  in      triangles
  *   bvh                in/out  see bvh/layout.h
- *   child_boxes              -       boxes around leaves, by their numbers, then around nodes
- * Nothing is done where the order is a new one: bvh/leaves.cl. Numbers that the boxes hold are
- * brought within the scene's shape: a buffer that something else wrote to leads nowhere outside.
+ *   child_boxes        -       boxes of the leaves, then of the nodes, by their numbers
+ * Does nothing where the order is a new one: then bvh/leaves.cl has built. Numbers that the BVH
+ * holds are brought within its layout: a buffer that something else wrote to leads nowhere
+ * outside.
  */
 #include "bvh/leaves.h"
 #include "order/types.h"
 #include "tuning.h"
 
-/* Returns whether mesh/intersect.h has any of the triangles to scale. */
+/* Returns whether mesh/intersect.h scales any of the triangles. */
 static bool refit_leaf(mesh_view mesh, __global const float* vertices,
                        __global const uint* indices, __global float* leaf, float* side)
 {
@@ -29,10 +30,10 @@ static bool refit_leaf(mesh_view mesh, __global const float* vertices,
     return is_any_scaled(&corners);
 }
 
-/* The box around each box of a node, and around all. around: of the nodes, by their numbers,
- * those that are in it fitted already. */
+/* Boxes of a node's children, and the box around them all, which goes to nodes[number]. leaves,
+ * nodes: the boxes of all leaves and nodes; those of the children are fitted already. */
 static void refit_node(const bvh_layout* layout, uint number, __global float* bvh,
-                       __global const child_box* leaves, __global child_box* around)
+                       __global const child_box* leaves, __global child_box* nodes)
 {
     __global float* node = bvh + node_at(layout, number);
     __global uint* child = (__global uint*)node + RSH_CHILDREN_AT;
@@ -42,7 +43,7 @@ static void refit_node(const bvh_layout* layout, uint number, __global float* bv
         const bool is_there = member != RSH_NO_CHILD, is_leaf = member & RSH_IS_LEAF;
         const uint last = (is_leaf ? RSH_LEAVES(*layout) : RSH_NODES(*layout)) - 1;
         __global const child_box* of =
-            (is_leaf ? leaves : around) + (is_there ? min(RSH_CHILD_NUMBER(member), last) : 0);
+            (is_leaf ? leaves : nodes) + (is_there ? min(RSH_CHILD_NUMBER(member), last) : 0);
         for (uint f = 0; f < 6; ++f) row[f][k] = is_there ? of->side[f] : empty_side(f);
         if (is_there && is_leaf) child[k] = of->child;
     }
@@ -52,7 +53,7 @@ static void refit_node(const bvh_layout* layout, uint number, __global float* bv
             v[i] = load_lanes(row[f] + RSH_WIDTH * i);
             store_whole(__global, v[i], node + 16 * f + RSH_WIDTH * i);
         }
-        around[number].side[f] = f < 3 ? smallest_lane(v) : largest_lane(v);
+        nodes[number].side[f] = f < 3 ? smallest_lane(v) : largest_lane(v);
     }
 }
 
@@ -61,7 +62,7 @@ static node_range within(node_range range, uint first, uint end)
     return (node_range){max(range.first, first), min(range.end, end)};
 }
 
-/* A work-item takes the leaves of a part, and its nodes. */
+/* A work-item refits the leaves of a part, then its nodes. */
 __kernel void rsh_refit(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, bvh_layout given_layout,
                         __global const sort_plan* sorting, __global float* bvh,
@@ -86,7 +87,7 @@ __kernel void rsh_refit(mesh_view mesh, __global const float* vertices,
         refit_node(&layout, g, bvh, child_boxes, child_boxes + RSH_LEAVES(layout));
 }
 
-/* The nodes above several parts. */
+/* The nodes above leaves of several parts. */
 __kernel void rsh_refit_upper_nodes(bvh_layout given_layout, __global const sort_plan* sorting,
                                     __global float* bvh, __global child_box* child_boxes)
 {

@@ -1,12 +1,13 @@
 /* refit_quality.h - whether triangles that moved still make compact leaves in the order that
- * was made for them earlier: surfaces of boxes, at some places of the order, then and now. */
+ * was made for them earlier. Compares surfaces of boxes at some places of the order, then and
+ * now. */
 #ifndef RSH_BVH_REFIT_QUALITY_H
 #define RSH_BVH_REFIT_QUALITY_H
 
 #include "bvh/leaves.h"
 #include "tuning.h"
 
-/* Of boxes that hold something, added up. */
+/* Half the surfaces of 16 boxes, added up; empty ones do not count. */
 static float surface_of_boxes(const boxes16* boxes)
 {
     float total = 0.0f;
@@ -22,7 +23,7 @@ static float surface_of_boxes(const boxes16* boxes)
     return total;
 }
 
-/* The box around 16 boxes, and around what `low` and `high` hold already. */
+/* Grows the box low .. high to hold 16 boxes. */
 static void add_boxes(const boxes16* boxes, float* low, float* high)
 {
     for (uint axis = 0; axis < 3; ++axis) {
@@ -31,9 +32,9 @@ static void add_boxes(const boxes16* boxes, float* low, float* high)
     }
 }
 
-/* Place `me` of RSH_QUALITY_SAMPLES: 16 leaves, one after the other or 16, 256, ... apart, the boxes
- * around their triangles, around each of them, and around all. Nothing where there are fewer
- * leaves than that. */
+/* Sample `me` of RSH_QUALITY_SAMPLES: 16 ranges of 16 triangles, one after the other or 16,
+ * 256, ... ranges apart. 0 where there are fewer ranges than that. leaves: the number of
+ * ranges. */
 static refit_quality quality_at(uint me, mesh_view mesh, __global const float* vertices,
                                 __global const uint* indices, __global const uint* order,
                                 uint leaves)
@@ -64,7 +65,7 @@ static refit_quality quality_at(uint me, mesh_view mesh, __global const float* v
     return quality;
 }
 
-/* Whether the order is not worn; false as well where a surface is no number. */
+/* Whether the order has not degraded; false as well where a surface is NaN. */
 static bool order_serves(__global const refit_quality* now, __global const refit_quality* then)
 {
     for (uint i = 0; i < RSH_QUALITY_SAMPLES; i += RSH_QUALITY_SAMPLES_PER_STEP) {

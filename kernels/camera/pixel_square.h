@@ -1,5 +1,6 @@
-/* pixel_square.h - the square of pixels that one work-item owns: their rays, sheared once,
- * and their best hits so far. A block of RSH_WIDTH pixels is one vector.
+/* pixel_square.h - the square of pixels that one work-item owns: their rays, sheared once, and
+ * their closest hits so far. Its pixels come in vectors: RSH_LANES_X x RSH_LANES_Y of them, a
+ * lane each.
  *
  * SIMT devices (RSH_WIDTH 1): a pixel per work-item, a tile per work-group. Elsewhere a
  * work-item owns the whole tile. Knows nothing of lists: triangles must be offered in ascending
@@ -17,7 +18,7 @@
 #define RSH_SIDE (RSH_WIDTH == 1 ? 1 : RSH_TILE) /* ... along a work-item's square */
 #define RSH_LANES_X (RSH_WIDTH >= 8 ? 4 : RSH_WIDTH >= 4 ? 2 : 1)
 #define RSH_LANES_Y (RSH_WIDTH / RSH_LANES_X)
-#define RSH_COLUMNS (RSH_SIDE / RSH_LANES_X) /* blocks in the square */
+#define RSH_COLUMNS (RSH_SIDE / RSH_LANES_X) /* of vectors in the square */
 #define RSH_ROWS (RSH_SIDE / RSH_LANES_Y)
 
 typedef struct pixel_lanes {
@@ -30,7 +31,7 @@ typedef struct pixel_square {
     pixel_lanes lanes[RSH_ROWS * RSH_COLUMNS];
 } pixel_square;
 
-/* First pixel of block (0, 0) plus the lanes' places in a block. */
+/* The pixel of each lane, in the vector whose first pixel is (column, row). */
 static void lane_pixels(uint column, uint row, uint* x, uint* y)
 {
     for (uint i = 0; i < RSH_WIDTH; ++i) {
@@ -39,8 +40,8 @@ static void lane_pixels(uint column, uint row, uint* x, uint* y)
     }
 }
 
-/* Unit directions of a block's rays; see rsh_camera. (x + 0.5) / width * 2 - 1 is written as
- * one quotient of whole numbers, which rounds once. NaN, and an inactive ray, where forward,
+/* Unit directions of the rays of pixels; see rsh_camera. (x + 0.5) / width * 2 - 1 is written
+ * as one quotient of whole numbers, which rounds once. NaN, and an inactive ray, where forward,
  * right and up cancel. */
 static void pixel_directions(const screen_setup* screen, const uint* x, const uint* y,
                              floatv* direction)
@@ -98,7 +99,7 @@ static void begin_square(const screen_setup* screen, pixel_square* square,
     }
 }
 
-/* First and last block of the square, in .xy and .zw, that a box of pixels meets. */
+/* First and last column and row of vectors, in .xy and .zw, that a box of pixels meets. */
 static int4 lanes_met(const pixel_square* square, ushort4 box)
 {
     const int4 pixels = convert_int4(box) - (int4)(square->x, square->y, square->x, square->y);

@@ -1,15 +1,15 @@
 /* rasterize.cl - primary rays and their closest hits, in screen tiles, without atomics.
  *   vertices, indices  in       triangles
  *   boxes              scratch  per triangle, the pixels that can see it
- *   ends               scratch  per range and tile, where the tile's list ends
+ *   ends               scratch  per range and tile, where the list of the tile ends
  *   lists              scratch  per range, the tiles' lists one after the other
  *   rays, hits         out      row by row
  *
- * Triangles are cut into ranges, runs of the index order; one work-item lists a range's
- * triangles by tile. A tile goes through the ranges in order, so it meets triangles in
- * ascending order and nothing depends on which work-item is first. A list that does not fit is
- * not written: its tile looks through the boxes of the whole range instead. Hits are
- * mesh/intersect.h's alone: the boxes only leave out work.
+ * Triangles are cut into ranges by their index; one work-item lists a range's triangles by
+ * tile. A tile goes through the ranges in order, so it meets triangles in ascending order and
+ * nothing depends on which work-item is first. A list that does not fit is not written: its
+ * tile looks through the boxes of the whole range instead. Hits are mesh/intersect.h's alone:
+ * the boxes only leave out work.
  */
 #include "camera/pixel_square.h"
 #include "camera/project.h"

@@ -26,8 +26,8 @@ typedef struct screen_setup {
     rsh_uint height;
     rsh_uint tile_columns;
     rsh_uint tile_count;
-    rsh_uint range_count;  /* runs of triangles, each with tile lists of its own */
-    rsh_uint range_length; /* triangles in a run, fewer in the last one          */
+    rsh_uint range_count;  /* ranges of triangles, each with tile lists of its own */
+    rsh_uint range_length; /* triangles in a range, fewer in the last one          */
     rsh_uint capacity;     /* entries in all lists of one range, below 2^31      */
     rsh_uint triangle_count;
     rsh_uint padding;

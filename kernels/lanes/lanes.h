@@ -38,14 +38,14 @@ typedef RSH_JOIN(uint, RSH_WIDTH) uintv;
 #define any_lane(mask) (RSH_LANE_BITS(mask) != 0)
 #endif
 
-/* The same in one instruction, where the memory is __global or __private; vstore may come in
- * pieces, and many of them fill up what a CPU has for stores under way. */
+/* store_lanes in one instruction, to __global or __private memory: vstore may be split into
+ * several stores, and many of these fill a CPU's store buffer. */
 typedef floatv __attribute__((aligned(4))) floatv_anywhere;
 typedef uintv __attribute__((aligned(4))) uintv_anywhere;
 #define store_whole(space, value, array) (*(space floatv_anywhere*)(array) = (value))
 #define store_whole_uint(space, value, array) (*(space uintv_anywhere*)(array) = (value))
 
-/* The lanes' numbers. */
+/* The number of each lane. */
 #if RSH_WIDTH == 1
 #define RSH_LANES ((intv)(0))
 #elif RSH_WIDTH == 4
@@ -56,17 +56,17 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
 #define RSH_LANES ((intv)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 #endif
 
-/* Bit i: lane i of a mask. What a CPU does in one instruction takes a tree of them in plain
- * OpenCL C; clang, and so PoCL, gives its target's own to kernels as well. */
+/* RSH_LANE_BITS: bit i is lane i of a mask. A CPU does it in one instruction, plain OpenCL C in
+ * a tree of them; clang, and so PoCL, lets kernels name the instructions of their target. */
 #ifdef __has_builtin
 #if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_gathersiv16sf) && defined(__AVX512F__)
-/* Where it is defined: words base[at], a lane each. */
+/* Where it is defined: the words base[at], a lane each. */
 #define RSH_GATHER(base, at)                                                                \
     __builtin_ia32_gathersiv16sf((float16)(0.0f), (const void*)(ulong)(base), as_int16(at), \
                                  0xffff, 4)
 #endif
 #if RSH_WIDTH > 1 && __has_builtin(__builtin_prefetch)
-/* Where they are defined: the cache line is about to be written, or read. */
+/* Where they are defined: ask for a cache line that will be written, or read. */
 #define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
 #define RSH_EXPECT_LOAD(at) __builtin_prefetch((const void*)(ulong)(at), 0)
 #endif

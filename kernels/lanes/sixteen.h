@@ -1,4 +1,4 @@
-/* sixteen.h - sixteen values side by side, in as many vectors as they fill. */
+/* sixteen.h - sixteen values side by side, in the RSH_VECTORS vectors that they fill. */
 #ifndef RSH_LANES_SIXTEEN_H
 #define RSH_LANES_SIXTEEN_H
 
@@ -6,7 +6,7 @@
 
 #define RSH_VECTORS (16 / RSH_WIDTH)
 
-/* The smaller, the larger; the second where the first is NaN. */
+/* The smaller and the larger of two; the second where the first is NaN. */
 static floatv lesser(floatv a, floatv b) { return select(b, a, a < b); }
 static floatv greater(floatv a, floatv b) { return select(b, a, a > b); }
 

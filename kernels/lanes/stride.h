@@ -1,6 +1,7 @@
-/* stride.h - spreads a stream over however many work-items were launched: the stream's length
- * is only known on the device. Neighbouring work-items take neighbouring elements on SIMT
- * devices (RSH_WIDTH 1); elsewhere each takes a range of its own, which a CPU's caches prefer. */
+/* stride.h - divides a stream among the work-items that were launched: its length is only known
+ * on the device. On SIMT devices (RSH_WIDTH 1) neighbouring work-items take neighbouring
+ * elements; elsewhere each takes a range of its own, which suits a CPU's caches.
+ */
 #ifndef RSH_LANES_STRIDE_H
 #define RSH_LANES_STRIDE_H
 

@@ -9,8 +9,8 @@ static float dot3(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z
 
 static float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
 
-/* The power of two that brings a size to 1 .. 2, as far as floats go: products of what is scaled
- * by it neither overflow nor vanish. */
+/* The power of two that brings a size to 1 .. 2, as far as floats go: products of what is
+ * scaled by it neither overflow nor vanish. */
 static float scale_to_one(float size) { return ldexp(1.0f, clamp(-ilogb(size), -125, 126)); }
 
 /* Each component within 1.5 ulp (Kahan): `error` is the rounding of the second product. */

@@ -1,12 +1,15 @@
-/* boxes16.h - sixteen boxes side by side, and how far a box is padded; rays/box_node.h derives it. */
+/* boxes16.h - sixteen boxes side by side, and by how much boxes are padded; rays/box_node.h
+ * derives it. */
 #ifndef RSH_MESH_BOXES16_H
 #define RSH_MESH_BOXES16_H
 
 #include "lanes/sixteen.h"
 
+/* largest: component of what the box holds, in size. 64u of it, and what a device flushes to
+ * 0. */
 static float pad_of(float largest) { return 0x1p-18f * largest + 0x1p-124f; }
 
-/* 16 boxes side by side. */
+/* [axis]. */
 typedef struct boxes16 {
     floatv low[3][RSH_VECTORS], high[3][RSH_VECTORS];
 } boxes16;

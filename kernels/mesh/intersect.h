@@ -96,7 +96,7 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
     return fma(a, b, -cd) + error;
 }
 
-/* One corner, seen from the ray: x and y across it, z along it. */
+/* One corner in ray space: x and y across the ray, z along it. */
 #define SHEAR_CORNER(r, px, py, pz, ax, ay, az)        \
     do {                                               \
         const floatv dx = (px) - (r).origin_x;         \
@@ -107,7 +107,7 @@ static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
         ay = pick_y(r, dx, dy, dz) - (r).slope_y * az; \
     } while (0)
 
-/* Corners, seen from the ray: x and y across it, z along it. */
+/* Corners of triangles in ray space: x and y across the ray, z along it. */
 typedef struct ray_space_corners {
     floatv ax, ay, az, bx, by, bz, cx, cy, cz;
 } ray_space_corners;
@@ -136,6 +136,7 @@ static floatv triangle_scale(const floatv* corner)
     return select(power, (floatv)(1.0f), is_usual);
 }
 
+/* Scales the plane across the ray: all edge values and the area alike. */
 static void scale_across(ray_space_corners* s, floatv scale)
 {
     s->ax *= scale;
@@ -146,7 +147,7 @@ static void scale_across(ray_space_corners* s, floatv scale)
     s->cy *= scale;
 }
 
-/* Where the rays cut the triangles that they see, once scaled. NaN anywhere ends in a miss. */
+/* Where the rays hit triangles that are in ray space, scaled. NaN anywhere ends in a miss. */
 static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
 {
     lane_hits hits;
@@ -201,6 +202,7 @@ static void keep_closer(closest_hits* best, lane_hits hits, uint triangle)
     best->primitive = select(best->primitive, (uintv)(triangle), as_uintv(is_better));
 }
 
+/* The same triangle in every lane. */
 static void broadcast_triangle(triangle_points triangle, floatv* corner)
 {
     corner[0] = (floatv)(triangle.v0.x);

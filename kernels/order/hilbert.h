@@ -1,6 +1,6 @@
-/* hilbert.h - places along Hilbert's curve through a grid of cells: 16 points at a time. Cells
- * that follow each other share a face, so that ranges of points are compact; ranges along Morton's
- * curve jump, and 1.5 to 2 times as many rays meet their boxes.
+/* hilbert.h - places along Hilbert's curve through a grid of cells, a point per lane.
+ * Consecutive cells share a face, so that ranges along the curve are compact; along Morton's
+ * curve, which jumps, 1.5 to 2 times as many rays meet their boxes.
  *
  * Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004.
  */
@@ -9,7 +9,7 @@
 
 #include "lanes/lanes.h"
 
-/* Every third bit, from the lower 7. */
+/* Spreads the lower 7 bits: bit i goes to bit 3 i. */
 static uintv spread_bits(uintv x)
 {
     x = (x | x << 8) & 0x00700fu;
@@ -20,7 +20,7 @@ static uintv spread_bits(uintv x)
 /* All ones where the bit is set. */
 static uintv mask_of(uintv x, uint bit) { return (uintv)(0u) - (x >> bit & 1u); }
 
-/* Below the bit: flips x where b has it set, swaps the two where not. */
+/* In the bits below `bit`: inverts x where b has the bit set, swaps x and b where not. */
 static void turn(uintv* x, uintv* b, uint bit)
 {
     const uint lower_bits = (1u << bit) - 1;
@@ -30,7 +30,7 @@ static void turn(uintv* x, uintv* b, uint bit)
     *b ^= swapped;
 }
 
-/* cell: x, y, z, below 2^bits; 7 at most. */
+/* cell: x, y, z, each below 2^bits; bits is 7 at most. */
 static uintv hilbert_place(const uintv cell[3], uint bits)
 {
     uintv x = cell[0], y = cell[1], z = cell[2];

@@ -1,13 +1,14 @@
-/* sort.cl - numbers in the order of their keys: a counting sort by bins, then, in each bin, one
- * by the other bits. Elements with equal keys stay in their order.
+/* sort.cl - sorts elements by their keys: a counting sort into bins, by the upper bits, then of
+ * each bin by the lower bits. Elements with equal keys keep their order.
  *   sorting  in      see sort_plan
- *   keys     in      by number
- *   bins     in/out  per work-item of rsh_sort_scatter, how many of its elements are in each
- *   order    out     numbers, from word `first` on
+ *   keys     in      by element
+ *   bins     in/out  per work-item of rsh_sort_scatter: how many of its elements are in a bin
+ *   order    out     indices of the elements, from word `first` on
  */
 #include "order/sort.h"
 
-/* Counts to places: of all elements in lower bins, and in this bin before this work-item. */
+/* Turns counts into places: where a work-item's elements of a bin begin, behind all lower bins
+ * and those of earlier work-items in this one. One work-item. */
 __kernel void rsh_sort_scan(uint items, uint bin_count, __global const sort_plan* sorting,
                             __global uint* bins)
 {
@@ -54,7 +55,7 @@ __kernel void rsh_sort_scatter(uint count, uint bin_count, __global const sort_p
     }
 }
 
-/* Six bits at a time. */
+/* Values of a digit of six bits. */
 #define RSH_DIGITS 64
 
 static void sort_by_digit(__global uint* order, uint count, __global const uint* keys,
@@ -74,8 +75,9 @@ static void sort_by_digit(__global uint* order, uint count, __global const uint*
     for (uint i = 0; i < count; ++i) order[i] = sorted[i];
 }
 
-/* A work-item takes a range of bins. bins: where the last work-item's elements of a bin end, as
- * rsh_sort_scatter leaves them. */
+/* A work-item sorts a range of bins. bins: as rsh_sort_scatter leaves them; the last
+ * work-item's entry of a bin is where that bin ends. Up to 16 elements stay: they make a leaf
+ * or a block anyway. */
 __kernel void rsh_sort_refine(uint items, uint bin_count, __global const sort_plan* sorting,
                               __global const uint* keys, __global const uint* bins,
                               __global uint* sorted, __global uint* order, ulong first)

@@ -1,5 +1,7 @@
-/* sort.h - what kernels that sort have in common: ranges of elements, a work-item each, in groups
- * of 16; and the grid that their places are on. */
+/* sort.h - what kernels that sort have in common: elements go in groups of 16, a work-item has
+ * a range of these groups; some of them are sampled before all get keys, which are places on a
+ * grid.
+ */
 #ifndef RSH_ORDER_SORT_H
 #define RSH_ORDER_SORT_H
 
@@ -7,10 +9,12 @@
 #include "order/types.h"
 #include "tuning.h"
 
+/* Elements 16 * begin to 16 * end - 1. */
 typedef struct range16 {
     uint begin, end;
 } range16;
 
+/* Of `count` elements, those of this work-item; the last group may be short. */
 static range16 my_range16(uint count)
 {
     const uint sixteens = (count + 15) / 16, items = get_global_size(0);
@@ -19,7 +23,7 @@ static range16 my_range16(uint count)
     return (range16){begin, min(sixteens, begin + per_item)};
 }
 
-/* All of sixteen keys are in bin key[0] >> bin_shift, as neighbours mostly are. */
+/* Whether all of 16 keys are in the bin of the first one, as those of neighbours mostly are. */
 static bool are_in_one_bin(const uint* key, uint bin_shift)
 {
     uint other = 0;
@@ -30,7 +34,8 @@ static bool are_in_one_bin(const uint* key, uint bin_shift)
     return !other;
 }
 
-/* Stores the keys of a group, as many as there are, and counts them in their bins. */
+/* Stores the keys of group number `sixteen`, as many as there are, and counts them in their
+ * bins. */
 static void store_keys(const uint* key, uint sixteen, uint count, uint bin_shift,
                        __global uint* keys, __global uint* bins)
 {
@@ -46,8 +51,8 @@ static void store_keys(const uint* key, uint sixteen, uint count, uint bin_shift
     }
 }
 
-/* So many groups a work-item looks at before all elements get keys; those take what lies
- * outside of these groups for their margin. */
+/* A work-item samples RSH_SAMPLES of its groups, or about. What lies outside of the box of all
+ * samples is put into the cells at its margin. */
 static uint sampling_step(range16 range) { return 1 + (range.end - range.begin) / RSH_SAMPLES; }
 
 static sample_bounds empty_bounds(void)
@@ -56,7 +61,7 @@ static sample_bounds empty_bounds(void)
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
 }
 
-/* What `count` work-items saw; each adds it up for itself. */
+/* The samples of `count` work-items; each work-item adds them up for itself. */
 static sample_bounds merged_bounds(__global const sample_bounds* samples, uint count)
 {
     sample_bounds whole = samples[0];
@@ -79,14 +84,15 @@ static float longest_side(const sample_bounds* bounds)
     return longest;
 }
 
-/* Cells per unit of length, for 2^bits along the longest side. */
+/* Cells per unit of length, where the longest side has 2^bits of them; 0 if it has no
+ * length. */
 static float cells_per_length(float longest, uint bits)
 {
     const float cells = (float)((1u << bits) - 1);
     return longest > 0.0f && isfinite(longest) ? cells / longest : 0.0f;
 }
 
-/* Cells 0 to 2^bits - 1; whatever is not a number goes to the last. */
+/* Cell 0 to 2^bits - 1; the last one for NaN. */
 static uintv cell_of(floatv at, float low, float scale, uint bits)
 {
     const floatv last = (floatv)((float)((1u << bits) - 1));

@@ -4,18 +4,18 @@
 
 #include "rsh/rsh_types.h"
 
-/* How order/sort.cl puts things in the order of their keys: by bins, key >> bin_shift, and in a bin by the
- * other bits; decided on the device. */
+/* How order/sort.cl sorts: into bins, key >> bin_shift, then each bin by the lower bits.
+ * Decided on the device. */
 typedef struct sort_plan {
-    rsh_uint is_needed; /* 0: they stay as they are, and have no keys */
-    rsh_uint bin_shift; /* bits */
+    rsh_uint is_needed; /* 0: elements stay as they are, and have no keys */
+    rsh_uint bin_shift; /* 0: bins are not sorted themselves */
 } sort_plan;
 RSH_ASSERT_SIZE(sort_plan, 8);
 
-/* What a work-item saw of the scene, or of a list of rays, before they are sorted. */
+/* What a work-item sampled of the scene, or of a list of rays, before they are sorted. */
 typedef struct sample_bounds {
     rsh_float low[3], high[3];
-    rsh_uint sampled, incoherent; /* ranges of 16; those that are no neighbours */
+    rsh_uint sampled, incoherent; /* groups of 16; those whose elements are no neighbours */
 } sample_bounds;
 RSH_ASSERT_SIZE(sample_bounds, 32);
 

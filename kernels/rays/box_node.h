@@ -1,5 +1,5 @@
-/* box_node.h - the bound `box`: origins in one box, directions in another, 16 of them side by side,
- * and the interval slab test of such nodes against boxes of the scene.
+/* box_node.h - the node shape `box`: origins in one box, directions in another, 16 nodes side
+ * by side; and the slab test, in interval arithmetic, of such nodes against boxes of the scene.
  *
  * A node stands for all rays o + t d with o in [origin_low, origin_high], d in [direction_low,
  * direction_high], 0 <= t <= tmax. It can meet the box [low, high] only if on every axis
@@ -11,16 +11,16 @@
  * so that two differences and two products per axis do. A minimum or maximum is associative: a
  * parent is as tight as if it were fitted to all its rays.
  *
- * Rounding (u = 2^-24). What mesh/intersect.h reports as a hit at t lies, with the exact ray, within
- * 45u (|p| + |o|) of the triangle, where |.| is the largest component of its corners and of the
- * ray's origin. The boxes of triangles are padded by 64u |p|, with the largest |p| of their
- * leaf, those of origins by 64u |o|; the difference pays for rounding the padded values. L
- * and H then err by u of themselves, which their sign survives; reciprocals by 2.5 ulp,
+ * Rounding (u = 2^-24). What mesh/intersect.h reports as a hit at t lies, with the exact ray,
+ * within 45u (|p| + |o|) of the triangle, where |.| is the largest component of its corners and
+ * of the ray's origin. The boxes of triangles are padded by 64u |p|, with the largest |p| of
+ * their leaf, those of origins by 64u |o|; the difference pays for rounding the padded values.
+ * L and H then err by u of themselves, which their sign survives; reciprocals by 2.5 ulp,
  * products by u: quotients by less than 6u. The far bounds are raised by 2^-19 = 32u, near ones
  * left as they are. Overflow: L is infinite only if every corner is infinitely far from every
- * origin, which mesh/intersect.h takes for a miss. A reciprocal that overflows is lowered to the
- * largest float where it bounds from below. A product 0 * infinity says nothing: comparisons
- * drop NaN.
+ * origin, which mesh/intersect.h takes for a miss. A reciprocal that overflows is lowered to
+ * the largest float where it bounds from below. A product 0 * infinity says nothing:
+ * comparisons drop NaN.
  */
 #ifndef RSH_RAYS_BOX_NODE_H
 #define RSH_RAYS_BOX_NODE_H
@@ -34,8 +34,8 @@
  * is_converging. */
 #define RSH_NODE_ROWS 14
 
-/* One axis of a node, made ready for the test. near bounds t from below, far from above. Mixed
- * signs: far is a second bound from below. */
+/* One axis of a node, made ready for the test: near bounds t from below, far from above; with
+ * mixed signs, far is a second bound from below. */
 typedef struct axis_slab {
     float near_origin, near_inverse, far_origin, far_inverse;
     int sign; /* of all directions: 1 or -1; 0: mixed */
@@ -54,13 +54,13 @@ static axis_slab slab_of(float origin_low, float origin_high, float direction_lo
                        direction_low < 0.0f ? near_low : -INFINITY, 0};
 }
 
-/* A node against 16 boxes. */
+/* One node, made ready to be tested against 16 boxes. */
 typedef struct interval_packet {
     axis_slab slab[3];
-    float limit; /* raised tmax; negative: nothing left to find */
+    float limit; /* tmax of the farthest ray, raised; negative: nothing left to find */
 } interval_packet;
 
-/* Which of 16 boxes the packet can meet, a bit each; near, unless 0: from which t on. */
+/* Which of 16 boxes the packet can meet, a bit each. near, unless 0: from which t on. */
 static uint boxes_met(const interval_packet* packet, const boxes16* boxes, float* near)
 {
     uint met = 0;
@@ -86,7 +86,7 @@ static uint boxes_met(const interval_packet* packet, const boxes16* boxes, float
     return met;
 }
 
-/* 16 nodes against one box. */
+/* 16 nodes, made ready to be tested against one box. */
 typedef struct interval_packet16 {
     floatv near_origin[3][RSH_VECTORS], near_inverse[3][RSH_VECTORS];
     floatv far_origin[3][RSH_VECTORS], far_inverse[3][RSH_VECTORS], far_offset[3][RSH_VECTORS];
@@ -95,8 +95,8 @@ typedef struct interval_packet16 {
     floatv limit[RSH_VECTORS];
 } interval_packet16;
 
-/* Which of the 16 packets can meet the box, of those that `common` encloses; the others' bits
- * say nothing. */
+/* Which of the 16 packets can meet the box, a bit each. Bits mean nothing for packets that
+ * `common` does not enclose: its signs decide how the others are tested. */
 static uint packets_meeting(const interval_packet16* nodes, const interval_packet* common,
                             const float* low, const float* high)
 {

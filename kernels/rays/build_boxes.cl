@@ -1,6 +1,6 @@
-/* build_boxes.cl - the hierarchy over the rays with the bound `box`, bottom-up.
+/* build_boxes.cl - the ray hierarchy of node shape `box`, bottom-up.
  *   rays   in   level 0
- *   nodes  out  groups of 16 nodes; see box_node16
+ *   nodes  out  box_node16 per tile: its blocks
  * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test
  * anything against the scene.
  */
@@ -25,13 +25,14 @@ static float largest_active(const ray_block* block, const floatv* row)
     return largest_lane(v);
 }
 
-/* The origins' largest component, in size. */
+/* The largest component between low and high, in size. */
 static float reach_of(float low, float high) { return fmax(fabs(low), fabs(high)); }
 
-/* The same rays from their points at t = 1 backwards: where they run towards one point, the box
- * of these is the smallest. Every point with 0 <= t <= 1 lies that way; a ray that goes on, or
- * whose end overflows, gets the box of all directions, from everywhere. The end rounds by u of
- * itself, which the padding has room for. */
+/* The same rays seen from their points at t = 1, backwards: where they run towards one
+ * point, the box of those points is the smallest. Every point with 0 <= t <= 1 lies that
+ * way. A ray that goes on behind t = 1, or whose point there overflows, makes the node
+ * universal: all directions, from everywhere. The sum rounds by u of itself, which the
+ * padding has room for. */
 static void reverse_rays(ray_block* block)
 {
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -42,7 +43,7 @@ static void reverse_rays(ray_block* block)
             block->row[RSH_DIRECTION + axis][v] = -d;
             is_bounded &= fabs(block->row[axis][v]) < (floatv)(INFINITY);
         }
-        /* Only its lanes that are active count: NaN there makes the node universal. */
+        /* NaN in an active lane makes the node universal. */
         const intv is_lost = block->is_active[v] & (is_bounded == (intv)(0));
         block->row[0][v] = select(block->row[0][v], (floatv)(NAN), is_lost);
         block->row[RSH_TMAX][v] = (floatv)(1.0f);
@@ -61,7 +62,7 @@ typedef struct node_rows {
     float row[RSH_NODE_ROWS][16];
 } node_rows;
 
-/* Rows of node b from its rays. */
+/* Bounds block b; writes its lane of the rows. */
 static void bound_block(ray_block* block, uint is_converging, uint b, node_rows* rows)
 {
     float reach = 0.0f;
@@ -87,6 +88,7 @@ static void bound_block(ray_block* block, uint is_converging, uint b, node_rows*
     rows->row[12][b] = largest_active(block, block->row[RSH_TMAX]);
 }
 
+/* A block without active rays. */
 static void clear_rows(uint b, node_rows* rows)
 {
     for (uint f = 0; f < 6; ++f) {
@@ -96,7 +98,7 @@ static void clear_rows(uint b, node_rows* rows)
     rows->row[12][b] = -1.0f;
 }
 
-/* Says in the nodes of a list whether they have an order. */
+/* Writes behind the nodes of a list whether its rays are sorted. */
 __kernel void rsh_build_boxes_order(rsh_levels shape, __global const sort_plan* sorting,
                                     __global uint* nodes)
 {

@@ -1,5 +1,5 @@
-/* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item per
- * quad.
+/* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item
+ * per quad.
  *   rays   in   level 0
  *   nodes  out  a head, then quads: nodes of all levels below the root; see cone_node4
  * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and
@@ -38,11 +38,11 @@ static cone_node ray_cone(rsh_ray ray)
     return (cone_node){ray.origin_tmin.xyz, 0.0f, axis, is_exact ? RSH_LEAF_SINE : 2.0f};
 }
 
-/* The same ray from its point at t = 1 backwards: rays that run towards one point make the
- * thinnest cones there. Every point with t <= 1 lies that way; other rays go anywhere. The
- * radius makes up for the sum, which rounds by u per component, and for the hits of
- * mesh/intersect.h: those are off by 45u of their distance to the origin, which is the direction's
- * length more than the distance to the apex that rays/cone_sphere.h allows for. */
+/* The same ray seen from its point at t = 1, backwards: rays that run towards one point make
+ * the thinnest cones there. Every point with t <= 1 lies that way; for other rays the cone is
+ * everything. The radius makes up for the sum, which rounds by u per component, and for the
+ * hits of mesh/intersect.h: those are off by 45u of their distance to the origin, which is the
+ * direction's length more than the distance to the apex that rays/cone_sphere.h allows for. */
 static cone_node reversed_cone(rsh_ray ray)
 {
     cone_node cone = ray_cone(ray);

@@ -1,5 +1,5 @@
-/* cone_sphere.h - may a ray of a node meet a sphere? Any number of nodes and spheres at once,
- * a lane each.
+/* cone_sphere.h - may a ray of a node meet a sphere? Any number of nodes and spheres at once, a
+ * lane each.
  *
  * A node's rays lie in its cone (apex C, axis x, half-angle a) grown by its radius, so the bare
  * cone is tested against a sphere of radius S = sum of both radii. With w = centre - C:
@@ -14,17 +14,18 @@
  * with cos^2 a = 1 - sin^2 a, so that no root is taken.
  *
  * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down
- * to cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that mesh/intersect.h reports
- * can lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S) is 128u.
+ * to cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that mesh/intersect.h
+ * reports can lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S)
+ * is 128u.
  *
- * Underflow: squares of what is below 1e-19 lose their bits, below 1e-23 all of them. So w and S
- * are first scaled by the power of two, hence exactly, that brings the largest of them to 1 .. 2.
- * Where a hit is possible, the rest of the padding then leaves
+ * Underflow: squares of what is below 1e-19 lose their bits, below 1e-23 all of them. So w and
+ * S are first scaled by the power of two, hence exactly, that brings the largest of them to 1
+ * .. 2. Where a hit is possible, the rest of the padding then leaves
  *    z sin a + S - q cos a >= 46u, and so  (z sin a + S)^2 - (q cos a)^2 >= (46u)^2 > 2^-37,
  * the same of S and |w|, while a product loses at most 2^-126, whether a device flushes it to
  * zero or not. The differences themselves are not scaled yet: 2^-124 in each sphere's radius
- * (bvh/spheres.cl) makes up for the 2^-126 that each of them may lose. What is infinite, NaN, or above
- * 2^127 is kept.
+ * (bvh/spheres.cl) makes up for the 2^-126 that each of them may lose. What is infinite, NaN,
+ * or above 2^127 is kept.
  */
 #ifndef RSH_RAYS_CONE_SPHERE_H
 #define RSH_RAYS_CONE_SPHERE_H

@@ -1,13 +1,13 @@
-/* join_boxes.cl - boxes around nodes of the bound `box`, level by level above the tiles: a
- * minimum of minima is as tight as if fitted to the rays.
- *   in   in   from word first_word on, groups of the nodes of `level`: their children
- *   out  out  groups of the nodes of level + 1: the nodes of `level` themselves
- * A work-item makes a group.
+/* join_boxes.cl - nodes of shape `box` above the tiles, level by level: a minimum of minima is
+ * as tight as if it were fitted to the rays.
+ *   in   in   from word first_word on, nodes of `level`: a box_node16 holds the children of one
+ *   out  out  nodes of level + 1: a box_node16 holds 16 nodes of `level`
+ * A work-item makes a box_node16.
  */
 #include "rays/box_node.h"
 #include "rays/levels.h"
 
-/* Rows of a group, see box_node16: low and high of origins, of directions, tmax. */
+/* The lane of a node, from its children's: low and high of origins, of directions, tmax. */
 static void join_node16(__global const float* in, float* row)
 {
     for (uint f = 0; f < 13; ++f) {

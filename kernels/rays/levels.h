@@ -15,8 +15,8 @@
 static uint branching_bits(const rsh_levels* levels) { return levels->branching / 2; }
 
 /* Index, in its level, of child k of node `parent` of level + 1; RSH_NO_NODE: the level has no
- * such node. Worked example, a grid 5 wide, branching 2: parent 4 of level 1 (3 wide) is (1, 1);
- * its child 1 at level 0 is (3, 2): index 2 * 5 + 3. */
+ * such node. Worked example, a grid 5 wide, branching 2: parent 4 of level 1 (3 wide) is (1,
+ * 1); its child 1 at level 0 is (3, 2): index 2 * 5 + 3. */
 static uint child_of(const rsh_levels* levels, uint level, uint parent, uint k)
 {
     const uint bits = branching_bits(levels), width = levels->width[level];
@@ -41,9 +41,10 @@ static uint ancestor_of(const rsh_levels* levels, uint from, uint node, uint lev
     return y * levels->width[level] + x;
 }
 
-/* The pairs of the engine `paper_faithful`, whose nodes have four children, name nodes of a grid
- * by row * 65536 + column: no division on the way from parent to child, both halves double. In
- * a list the name is the index. Rays, at level 0, are named by their index at last. */
+/* The pairs of the engine `paper_faithful`, whose nodes have four children, name nodes of a
+ * grid by row * 65536 + column: no division on the way from parent to child, both halves
+ * double. In a list the name is the index. Rays, at level 0, are named by their index at
+ * last. */
 static uint quad_index(const rsh_levels* levels, uint level, uint node)
 {
     const uint first = levels->first_child_group[level];

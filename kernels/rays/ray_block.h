@@ -1,4 +1,4 @@
-/* ray_block.h - sixteen rays, component by component, as blocks of a tile hold them. */
+/* ray_block.h - the sixteen rays of a block, component by component: loaded and transposed. */
 #ifndef RSH_RAYS_RAY_BLOCK_H
 #define RSH_RAYS_RAY_BLOCK_H
 

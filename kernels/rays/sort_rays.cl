@@ -1,22 +1,24 @@
 /* sort_rays.cl - keys for the order in which the rays of a list make blocks: by the octant of
  * their direction, then along Hilbert's curve by their origin.
  *   rays           in   a list
- *   sorting, keys  out  for order/sort.cl, and how many rays are in each of its bins
- * Rays that follow each other mostly are neighbours already, and stay. Where ranges of 16 are
- * not, as in a queue that was filled by many hands, every block would span the scene and its
- * rays go one by one, at several times the cost. A work-item has a range of the rays.
+ *   sorting, keys  out  for order/sort.cl
+ *   bins           out  how many rays are in each bin
+ * Consecutive rays mostly are neighbours already, and stay as they are. In a queue that was
+ * filled by many work-items they are not: each block would span the scene, and its rays go one
+ * by one. A work-item has a range of the rays.
  */
 #include "order/hilbert.h"
 #include "order/sort.h"
 #include "rays/ray_block.h"
 #include "tuning.h"
 
+/* Group number `sixteen` of a list, as block 0 of a tile. */
 static ray_tile list_of(uint count, uint sixteen)
 {
     return (ray_tile){count, 0, 16 * sixteen, 0, 0};
 }
 
-/* Of the active rays, from row `first` on. */
+/* Bounds of three rows of the active rays, from row `first` on: origins or directions. */
 static sample_bounds bounds_of_rays(const ray_block* block, uint first)
 {
     sample_bounds bounds = empty_bounds();
@@ -66,7 +68,7 @@ static bool is_incoherent_block(const ray_block* block, float whole)
     return longest_side(&directions) > RSH_INCOHERENT_EXTENT * 2.0f * longest;
 }
 
-/* Of the ranges sampled, how many are incoherent. */
+/* sampled: how many groups this work-item looked at, and how many of them are incoherent. */
 __kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint count,
                                    __global const sample_bounds* samples,
                                    __global uint2* sampled)

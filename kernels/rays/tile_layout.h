@@ -1,5 +1,5 @@
-/* tile_layout.h - which rays a tile holds: 16 blocks of 16 rays. In a grid, blocks are 4 x 4 rays and
- * tiles 4 x 4 blocks; in a list, both are ranges. */
+/* tile_layout.h - which rays a tile holds: 16 blocks of 16 rays. In a grid, a block is 4 x 4
+ * rays and a tile 4 x 4 blocks; in a list, both are ranges. */
 #ifndef RSH_RAYS_TILE_LAYOUT_H
 #define RSH_RAYS_TILE_LAYOUT_H
 
@@ -15,8 +15,8 @@ typedef struct ray_tile {
 
 static uint tile_count(rsh_levels shape) { return shape.width[2] * shape.height[2]; }
 
-/* Where the order of a list's rays lies behind the groups of its blocks, in words; and behind
- * that a word: whether there is one. */
+/* Where the order of a list's rays lies behind its nodes, in words; and behind that a word that
+ * says whether there is one. */
 static ulong order_behind(rsh_levels shape)
 {
     return RSH_RAY_ORDER_AT((ulong)tile_count(shape));

@@ -16,14 +16,15 @@ typedef struct cone_node4 {
 } cone_node4;
 RSH_ASSERT_SIZE(cone_node4, 128);
 
-/* Sixteen sibling nodes of the bound `box`: the blocks of a tile. [axis][block]. */
+/* Sixteen sibling nodes of shape `box`, such as the blocks of a tile. [axis][node]. */
 typedef struct box_node16 {
     rsh_float origin_low[3][16];
     rsh_float origin_high[3][16];
     rsh_float direction_low[3][16];
     rsh_float direction_high[3][16];
-    rsh_float tmax[16];         /* of the farthest ray; -1: the node holds no active ray */
-    rsh_uint is_converging[16]; /* 1: seen from t = 1, backwards; see rsh_build_desc */
+    rsh_float tmax[16]; /* of the farthest ray; -1: the node holds no active ray */
+    rsh_uint
+        is_converging[16]; /* 1: the rays are seen from t = 1, backwards; see rsh_build_desc */
 } box_node16;
 RSH_ASSERT_SIZE(box_node16, 896);
 

@@ -17,7 +17,7 @@
 
 static uint read_state(volatile __global uint* word) { return atomic_add(word, 0); }
 
-/* Kept elements in front of tile `index`. Every step either ends, goes one tile back or runs
+/* Kept elements in front of tile `index`. Every step either ends, goes one tile back, or runs
  * out of patience. */
 static uint look_back(__global const uint* input, __global const uchar* flags, uint index,
                       uint tile, uint length, volatile __global uint* states)

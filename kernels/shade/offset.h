@@ -5,9 +5,9 @@
  * geometric normal n to the side that the ray leaves to. They found the distance by trial, in
  * scenes of ordinary size: 256 ulp of the coordinates, or 1/65536 near zero. That is 16 units
  * where coordinates are 1e6, many times a scene of 1e-6, and too little where a triangle 1e3
- * wide passes near zero. Here it is bounded from the two errors that it must outweigh
- * (u = 2^-24; L: the triangle's extent, the largest difference of its corners along an axis;
- * p: the point hit).
+ * wide passes near zero. Here it is bounded from the two errors that it must outweigh (u =
+ * 2^-24; L: the triangle's extent, the largest difference of its corners along an axis; p: the
+ * point hit).
  *
  *  1. Point off the plane. Edges err by u, products by u, their sum by u, and u + v <= 1: the
  *     offset from the corner errs by 3uL on each axis, the sum with the corner by u |p_axis|.
@@ -20,8 +20,8 @@
  *
  * So  distance = 2^-18 L + 2^-22 |n|.|p|  leaves the line of every ray that moves away from the
  * surface at t < 0: 2^-18 L covers 2.8 * 2^-20 L + 0.4 * 2^-20 L, 2^-22 covers 2u with a factor
- * 2 to spare, and 2^-124 what a device flushes to zero. n itself errs by a few ulp (shade/surface.h):
- * moves along the plane are harmless.
+ * 2 to spare, and 2^-124 what a device flushes to zero. n itself errs by a few ulp
+ * (shade/surface.h): moves along the plane are harmless.
  */
 #ifndef RSH_SHADE_OFFSET_H
 #define RSH_SHADE_OFFSET_H

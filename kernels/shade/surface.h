@@ -46,7 +46,8 @@ static float3 triangle_normal(triangle_points p)
 }
 
 /* The barycentric point, as an offset from a corner: an error of u or v moves it along the
- * triangle only, and the size of the coordinates counts once, in the last sum; see shade/offset.h. */
+ * triangle only, and the size of the coordinates counts once, in the last sum; see
+ * shade/offset.h. */
 static float3 triangle_point(triangle_points p, rsh_hit hit)
 {
     return p.v0 + (hit.u * (p.v1 - p.v0) + hit.v * (p.v2 - p.v0));

@@ -1,14 +1,14 @@
 /* brute_force.cl - every ray against every triangle: the yardstick of all engines.
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
- * A work-item holds RSH_VECTORS_PER_ITEM vectors of rays while the triangles stream past.
+ * A work-item holds RSH_VECTORS_PER_ITEM vectors of rays while the triangles pass.
  */
 #include "mesh/intersect.h"
 #include "tuning.h"
 
 #define RSH_RAYS_PER_ITEM (RSH_VECTORS_PER_ITEM * RSH_WIDTH)
 
-/* Rays behind the end, and inactive ones, get an empty interval. */
+/* Lanes behind the end, and inactive rays, get an empty interval of t: they hit nothing. */
 static sheared_rays load_sheared_rays(__global const rsh_ray* rays, uint first, uint ray_count)
 {
     float lanes[8][RSH_WIDTH];

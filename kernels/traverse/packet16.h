@@ -1,5 +1,6 @@
-/* packet16.h - the sixteen rays of a block while their tile is traversed: what they have hit
- * so far, which of them meet a box, and what a triangle changes. */
+/* packet16.h - the sixteen rays of a block as a packet on its way through the scene: what they
+ * have hit so far, which of them meet a box, what a triangle changes, and how their hits are
+ * stored. */
 #ifndef RSH_TRAVERSE_PACKET16_H
 #define RSH_TRAVERSE_PACKET16_H
 
@@ -19,7 +20,7 @@ typedef struct ray_packet {
     bool is_fit; /* for rays_meeting and single_ray_of: no direction too small to divide by */
 } ray_packet;
 
-/* kz, where all active rays have the same. */
+/* kz of the active rays (see sheared_rays), 0 to 2; 3: they differ. */
 static uint common_axis(const ray_packet* packet, uint active)
 {
     uint is_x = 0, is_y = 0;
@@ -63,7 +64,7 @@ static void load_packet(ray_packet* packet, ray_tile tile, uint b, __global cons
     packet->is_fit = tiny == 0;
 }
 
-/* tmax of the farthest ray, or -1 when none is left; raised as in rays/box_node.h. */
+/* tmax of the farthest ray, raised as in rays/box_node.h; negative: no ray is left. */
 static float packet_limit(const ray_packet* packet)
 {
     floatv tmax[RSH_VECTORS];
@@ -71,8 +72,8 @@ static float packet_limit(const ray_packet* packet)
     return largest_lane(tmax) * RSH_RAISED;
 }
 
-/* Which rays meet the box: the slab test of rays/box_node.h, where a node is one ray. sign: that of all
- * directions per axis, or 0. */
+/* Which rays meet the box, a bit each: the slab test of rays/box_node.h, where a node is one
+ * ray. sign: that of all directions per axis, or 0 where they differ. */
 static uint rays_meeting(const ray_packet* packet, const int* sign, const float* box_low,
                          const float* box_high)
 {
@@ -100,9 +101,9 @@ static uint rays_meeting(const ray_packet* packet, const int* sign, const float*
 
 static float lane_of(const floatv* v, uint k) { return ((const float*)v)[k]; }
 
-/* A triangle for all lanes, by its corners in a row. */
+/* One triangle that all lanes are tested against. */
 typedef struct triangle_corners {
-    float at[12]; /* x y z of three; the rest is never looked at */
+    float at[12]; /* x y z of three corners, then padding that is never read */
     float scale;  /* see triangle_scale */
 } triangle_corners;
 
@@ -157,8 +158,8 @@ static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const 
     return s;
 }
 
-/* True if a ray has a closer hit now. Of equal t, the lower triangle stays, whatever order they
- * come in. is_any: a ray that hits is retired. */
+/* True if a ray has a closer hit now. Of equal t the lower triangle stays, in whatever order
+ * they come. is_any: a ray that hits something is retired. */
 static bool intersect_packet(ray_packet* packet, const triangle_corners* corners, uint triangle,
                              bool is_any)
 {
@@ -181,7 +182,7 @@ static bool intersect_packet(ray_packet* packet, const triangle_corners* corners
     return changed;
 }
 
-/* Hits of a block whose rays nothing came near; block is its state otherwise. */
+/* Hits of a block that never became a packet, as nothing came near it. */
 static void store_misses(ray_tile tile, uint b, __global const rsh_ray* rays,
                          __global rsh_hit* hits)
 {

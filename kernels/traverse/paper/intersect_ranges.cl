@@ -1,10 +1,9 @@
-/* intersect_ranges.cl - the last level of the engine `paper`: the 16 rays of a block against the
- * triangles of its range.
+/* intersect_ranges.cl - the last level of the engine `paper`: the 16 rays of a block against
+ * the triangles of its range; and what the stream could not hold.
  *   triangles, ranges  in      of the blocks
- *   hits             in/out  closest so far; at first those of rsh_intersect_ranges_clear
- *   occlusion        in/out  any: a bit per ray
- * A work-item owns the rays that it writes, and launches follow each other: no atomics. The one
- * that finishes ranges does for a tile what the levels below it would have done.
+ *   hits               in/out  closest so far; at first those of rsh_intersect_ranges_clear
+ *   occlusion          in/out  any: a bit per ray
+ * A work-item owns the rays that it writes, and launches follow each other: no atomics.
  */
 #include "bvh/layout.h"
 #include "rays/nodes_head.h"
@@ -49,6 +48,8 @@ __kernel void rsh_intersect_ranges(rsh_levels shape, mesh_view mesh,
     }
 }
 
+/* Triangles that meet blocks of a tile are gathered, so that each block is loaded once for
+ * many. */
 typedef struct gathered_triangles {
     uint triangle[RSH_GATHERED];
     ushort met[RSH_GATHERED];
@@ -71,8 +72,9 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
     }
 }
 
-/* A work-item takes a tile whose ancestor at step.level + 1 was left over by the stream: its
- * triangles against the blocks, and the rays of those. nodes: those of rsh_build. */
+/* A work-item takes a tile whose ancestor, at step.level + 1, was left over by the stream: the
+ * ancestor's triangles against the blocks of the tile, then against their rays. Levels in
+ * between are skipped. nodes: those of rsh_build. */
 __kernel void rsh_intersect_ranges_finish(
     rsh_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
     __global const uint* indices, __global const rsh_ray* rays, __global const float* bounds,

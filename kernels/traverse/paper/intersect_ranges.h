@@ -1,5 +1,7 @@
-/* intersect_ranges.h - the 16 rays of a block against the triangles of a range, one by one; see
- * traverse/paper/intersect_ranges.cl. What earlier batches found is taken up again. */
+/* intersect_ranges.h - the rays of a block against the triangles of a range, one triangle after
+ * the other; see traverse/paper/intersect_ranges.cl. Goes on from the hits that earlier batches
+ * found.
+ */
 #ifndef RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 #define RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 
@@ -14,7 +16,7 @@ typedef struct range_target {
     __global rsh_hit* hits;
     __global uint* occlusion;
     uint occlusion_bit;           /* as a mask; 0: closest hits are wanted */
-    __global const float* bounds; /* ranges name places in their leaves */
+    __global const float* bounds; /* the scene's BVH; ranges name places in its leaves */
 } range_target;
 
 static void load_target_packet(const range_target* target, ray_tile tile, uint b,

@@ -1,5 +1,6 @@
-/* ranges.h - the pair stream of the engine `paper`: node-major, a range of triangles per node, so
- * that a pair is 4 bytes and a node is loaded once. */
+/* ranges.h - the pair stream of the engine `paper`: per node a range of triangles, so that a
+ * pair takes 4 bytes and a node is loaded once for all its triangles.
+ */
 #ifndef RSH_TRAVERSE_PAPER_RANGES_H
 #define RSH_TRAVERSE_PAPER_RANGES_H
 
@@ -10,6 +11,7 @@ typedef struct triangle_range {
     uint begin, count; /* in the stream of its level */
 } triangle_range;
 
+/* The triangles that are paired with a parent; at the root, the whole batch. */
 static triangle_range range_of_parent(range_step step, __global const uint2* ranges,
                                       uint parent)
 {
@@ -18,7 +20,7 @@ static triangle_range range_of_parent(range_step step, __global const uint2* ran
     return (triangle_range){range.x, range.y};
 }
 
-/* Slice `number` of a range. */
+/* A work-item's share of a range: slice `number` of `slices`. */
 static triangle_range slice_of(triangle_range range, uint number, uint slices)
 {
     const uint begin = (uint)((ulong)range.count * number / slices);
@@ -31,15 +33,15 @@ static uint triangle_at(range_step step, __global const uint* triangles, uint i)
     return step.is_root ? step.batch_first + i : triangles[i];
 }
 
-/* Where the survivors of a parent begin, from the sums of the slices before it; sums[all
- * slices]: how many there are. */
+/* Where the survivors of a parent begin. sums: per slice, how many survivors there are before
+ * it; behind the last slice, how many there are. */
 static uint survivors_before(range_step step, __global const uint* sums, uint parent)
 {
     return sums[parent * step.slices];
 }
 
-/* The stream cannot hold the survivors of this parent: rsh_intersect_ranges_finish sees to its range. Known
- * before anything is written. */
+/* Whether the stream cannot hold the survivors of this parent. Then rsh_intersect_ranges_finish
+ * works its range off. Known before anything is written. */
 static bool is_left_over(range_step step, __global const uint* sums, uint parent)
 {
     return survivors_before(step, sums, parent + 1) > step.capacity;

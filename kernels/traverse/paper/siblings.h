@@ -31,7 +31,7 @@ static void load_siblings(sibling_nodes* nodes, __global const float* group)
     }
 }
 
-/* bounds: leaves, see bvh/layout.h. */
+/* Which of the 16 nodes meet the triangle at a place in the leaves of the scene's BVH. */
 static uint siblings_meeting(const sibling_nodes* nodes, __global const float* bounds,
                              uint place)
 {

@@ -1,12 +1,12 @@
-/* traverse_ranges.cl - one level of the engine `paper`: the triangles in a node's range against its
- * 16 children, all at a time. Counted first, written second: no pair that fails is ever
- * written, and what does not fit is known before.
+/* traverse_ranges.cl - one level of the engine `paper`: the triangles in a node's range against
+ * its 16 children, all at a time. They are counted first and written second: no pair that fails
+ * is ever written, and what does not fit is known before.
  *   triangles, ranges  in   of the parents
- *   masks            out  per triangle, which children it meets
- *   counts           out  per slice and child
- *   sums             out  per slice; scanned in between by reduce/scan_counts.cl
+ *   masks              out  per triangle, which children it meets
+ *   counts             out  per slice and child
+ *   sums               out  per slice; reduce/scan_counts.cl scans them in between
  *   children, ranges   out  the stream of the level, parent by parent, child by child
- *   tally            out  what statistics need; see RSH_TALLY_...
+ *   tally              out  what statistics need; see RSH_TALLY_...
  * A work-item takes a slice of a parent's range. Does not look at rays.
  */
 #include "rays/nodes_head.h"
@@ -51,7 +51,8 @@ __kernel void rsh_traverse_ranges_count(
     sums[me] = b.x + b.y + b.z + b.w;
 }
 
-/* Where each child's triangles go: those of this slice behind those of the slices before it. */
+/* Where the triangles of each child go: child by child, and there slice by slice. total: of all
+ * slices. */
 static void place_children(range_step step, __global const uint* counts, uint me, uint begin,
                            uint* at, uint* total)
 {

@@ -4,14 +4,14 @@
 
 #include "rsh/rsh_types.h"
 
-/* One level of a traversal by ranges: nodes of level + 1, each with a range of triangles, hand them
- * on to their children at `level`. */
+/* One level of a traversal by ranges: nodes of level + 1, each with a range of triangles, hand
+ * these on to their children at `level`. */
 typedef struct range_step {
     rsh_uint level;
     rsh_uint parents;           /* nodes of level + 1 */
     rsh_uint slices;            /* that a parent's range is cut into, a work-item each */
-    rsh_uint first_child_group; /* the children of parent i are group first_group + i */
-    rsh_uint first_parent_range, first_child_range; /* of node 0 */
+    rsh_uint first_child_group; /* the children of parent i are number first_child_group + i */
+    rsh_uint first_parent_range, first_child_range; /* numbers of the ranges of node 0 */
     rsh_uint capacity;                              /* of the stream, in triangles */
     rsh_uint is_root; /* 1: the only parent's range is the batch, and stored nowhere */
     rsh_uint batch_first, batch_count; /* triangles */

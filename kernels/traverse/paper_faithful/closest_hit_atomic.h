@@ -1,5 +1,5 @@
-/* closest_hit_atomic.h - intersects (triangle, ray) pairs and keeps what they hit, whatever order they
- * come in.
+/* closest_hit_atomic.h - intersects (triangle, ray) pairs and keeps what they hit, whatever
+ * order they come in.
  *
  * While a traversal runs, hits[ray].primitive is the best triangle so far. An offer replaces it
  * by compare-and-swap only if the new hit is closer, or as close with a lower index; the t of

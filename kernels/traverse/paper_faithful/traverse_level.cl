@@ -1,11 +1,11 @@
 /* traverse_level.cl - one level of the traversal: tests each pair against the node's four
  * children.
- *   pairs, pair_count     in   survivors of the level above; at the root none are stored, there
- *                              every triangle of the batch is one
- *   tested_pairs            out  4 per pair: (triangle, child) or NULL
+ *   pairs, pair_count  in   survivors of the level above; at the root none are stored, there
+ *                           every triangle of the batch is one
+ *   tested_pairs       out  4 per pair: (triangle, child), or NULL if they cannot meet
  *   tested_count       out  how many, NULLs included
- * At most `limit` pairs are tested: traverse/paper_faithful/traverse_walk.cl finishes the others. Packing the survivors
- * is the reduction's job. A work-item tests RSH_PAIRS pairs at once: their quads fill a vector.
+ * Tests at most `limit` pairs: traverse_walk.cl finishes the others. Packing the survivors is
+ * the reduction's job. A work-item tests RSH_PAIRS pairs at once: their quads fill a vector.
  */
 #include "lanes/stride.h"
 #include "traverse/paper_faithful/test_pairs.h"

@@ -1,5 +1,6 @@
-/* descend_packet.h - one block of a tile through what the stack holds: its rays together, or one
- * by one where few of them meet a box. */
+/* descend_packet.h - takes one block of a tile through what is on the stack: its rays together,
+ * or one by one where few of them meet a box.
+ */
 #ifndef RSH_TRAVERSE_TILES_DESCEND_PACKET_H
 #define RSH_TRAVERSE_TILES_DESCEND_PACKET_H
 
@@ -7,18 +8,18 @@
 #include "traverse/tiles/leaf.h"
 #include "tuning.h"
 
-/* A block on its way. */
+/* A block on its way down. */
 typedef struct block_packet {
     uint b;
-    const int* sign; /* that of all rays per axis, or 0 */
-    uint wasted;     /* visits that met no ray, less those that did */
+    const int* sign; /* of all directions per axis; 0: they differ */
+    uint wasted;     /* a visit that meets no ray adds 1, another one takes 1 off */
 } block_packet;
 
 static void visit_box_by_block(traversal_state* state, block_packet* block,
                                const bvh_child* box)
 {
     ray_packet* packet = packet_of(state, block->b);
-    uint rays = 0; /* not known */
+    uint rays = 0; /* not known yet */
     if (packet->is_fit) {
         state->node_tests += 16;
         rays = rays_meeting(packet, block->sign, box->low, box->high);
@@ -37,7 +38,7 @@ static void visit_box_by_block(traversal_state* state, block_packet* block,
         push_boxes_met(state, interval_packet_of_block(state, block->b), box->child);
 }
 
-/* What lies on the stack above bottom. */
+/* Visits what lies on the stack above `bottom`. */
 static void traverse_block(traversal_state* state, block_packet* block, uint bottom)
 {
     while (state->stack_size > bottom) {

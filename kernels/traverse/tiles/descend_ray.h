@@ -1,11 +1,13 @@
-/* descend_ray.h - rays of a block one by one, through the whole scene or what lies in one
- * box. Their entries on the stack name what is below a box. */
+/* descend_ray.h - takes rays of a block one by one through the whole scene, or through what
+ * lies in one box. Their entries on the stack name the child itself (bvh_node::child), not its
+ * slot.
+ */
 #ifndef RSH_TRAVERSE_TILES_DESCEND_RAY_H
 #define RSH_TRAVERSE_TILES_DESCEND_RAY_H
 
 #include "traverse/tiles/state.h"
 
-/* Ray k of block b through what is below a box. */
+/* Ray k of block b through a child: a leaf, or a node and all below it. */
 static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
 {
     ray_packet* packet = packet_of(state, b);

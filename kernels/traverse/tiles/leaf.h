@@ -1,4 +1,4 @@
-/* leaf.h - the triangles of a leaf against rays: of one block, or of many. */
+/* leaf.h - the triangles of a leaf against the rays of one block, or of many. */
 #ifndef RSH_TRAVERSE_TILES_LEAF_H
 #define RSH_TRAVERSE_TILES_LEAF_H
 
@@ -12,7 +12,8 @@ typedef struct loaded_leaf {
     boxes16 boxes; /* of the triangles */
 } loaded_leaf;
 
-/* Boxes are padded as rays/box_node.h says for the largest of the triangles. */
+/* The boxes of its triangles are padded as rays/box_node.h says, by the largest component in
+ * the leaf. */
 static void load_leaf(const traversal_state* state, const bvh_child* box, loaded_leaf* leaf)
 {
     leaf->corners = leaf_of(state, box->child);
@@ -59,8 +60,8 @@ static void intersect_by_rays(traversal_state* state, const loaded_leaf* leaf, u
     if (changed) lower_block_limit(state, b);
 }
 
-/* Triangle by triangle, or each of the rays that meet the leaf on its own, whatever are
- * fewer. rays: 0 if not known yet. */
+/* Triangle by triangle against all rays of the block, or ray by ray against all triangles,
+ * whichever are fewer. rays: those that meet the leaf; 0 if that is not known yet. */
 static void intersect_loaded_leaf(traversal_state* state, const loaded_leaf* leaf, uint b,
                                   const int* sign, const bvh_child* box, uint rays)
 {
@@ -90,7 +91,8 @@ static void intersect_leaf_by_block(traversal_state* state, uint b, const int* s
     intersect_loaded_leaf(state, &leaf, b, sign, box, rays);
 }
 
-/* Many blocks: each for itself, or each triangle looks for its own. */
+/* Many blocks: block by block, or each triangle looks for the blocks that meet it, whichever
+ * are fewer. */
 static void intersect_leaf_by_blocks(traversal_state* state, const interval_packet* common,
                                      const int* sign, const bvh_child* box, uint blocks)
 {

@@ -1,16 +1,18 @@
-/* packet_cost.h - some blocks of a tile as one node, and what it may cost to take it through the
- * scene. */
+/* packet_cost.h - the bounds of some blocks of a tile as one packet, and what it may cost to
+ * take it through the scene.
+ */
 #ifndef RSH_TRAVERSE_TILES_PACKET_COST_H
 #define RSH_TRAVERSE_TILES_PACKET_COST_H
 
 #include "traverse/tiles/state.h"
 
-/* Origins (axes 0 to 2) and directions (3 to 5) of some blocks, and how far they reach. */
+/* Bounds of origins (axes 0 to 2) and directions (3 to 5) of some blocks, and their largest
+ * tmax. */
 typedef struct packet_bounds {
     float low[6], high[6], tmax;
 } packet_bounds;
 
-/* Rows of box_node16. */
+/* The rows of box_node16 that hold an axis. */
 static uint low_row(uint axis) { return axis < 3 ? axis : axis + 3; }
 static uint high_row(uint axis) { return low_row(axis) + 3; }
 
@@ -40,8 +42,9 @@ static packet_bounds packet_bounds_of(const traversal_state* state, uint blocks)
     return bounds;
 }
 
-/* The cost, in leaves met: the share that the box which the rays fill at the scene's far end
- * has of the scene's surface. side: of that box; numbers or vectors, with their `lesser`. */
+/* The cost, in leaves that are visited: the surface of the box that the rays fill at the far
+ * end of the scene, by the scene's surface per leaf. side: of that box, cut to the size of the
+ * scene; numbers or vectors, with their `lesser`. */
 #define RSH_COST(side, size, leaf_size, lesser)        \
     ((lesser(side[0], size) * lesser(side[1], size) +  \
       lesser(side[1], size) * lesser(side[2], size) +  \
@@ -60,7 +63,7 @@ static float cost_of(const traversal_state* state, const packet_bounds* bounds)
     return RSH_COST(side, state->scene_size, state->leaf_size, fmin);
 }
 
-/* Of each block alone. */
+/* The cost of each block on its own. */
 static void costs_of_blocks(const traversal_state* state, float* cost)
 {
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -79,7 +82,7 @@ static void costs_of_blocks(const traversal_state* state, float* cost)
     }
 }
 
-/* The packet against 16 boxes; without a limit. */
+/* Made ready for the test against 16 boxes; the limit is not set. */
 static interval_packet interval_packet_of(const packet_bounds* bounds)
 {
     interval_packet packet;

@@ -1,5 +1,6 @@
-/* single_ray.h - a ray that goes down the boxes on its own: 16 boxes, or 16 triangles, at a
- * time. The slab test is that of rays/box_node.h, where the node is one ray. */
+/* single_ray.h - a ray that goes down the tree on its own: against 16 boxes, or 16 triangles,
+ * at a time. The slab test is that of rays/box_node.h, where the node is one ray.
+ */
 #ifndef RSH_TRAVERSE_TILES_SINGLE_RAY_H
 #define RSH_TRAVERSE_TILES_SINGLE_RAY_H
 
@@ -7,7 +8,7 @@
 #include "traverse/packet16.h"
 
 typedef struct single_ray {
-    uint near_row[3], far_row[3]; /* of a node: where its bounds of t lie */
+    uint near_row[3], far_row[3]; /* rows of a bvh_node that bound t from below, from above */
     float near_origin[3], far_origin[3], inverse[3];
     float limit;   /* tmax, raised; negative: retired */
     uint k_row[3]; /* of a corner: the axes x y z of sheared_rays */
@@ -79,7 +80,7 @@ static uint boxes_met_by_ray(const single_ray* ray, __global const float* node, 
     return met;
 }
 
-/* Sixteen triangles, seen from the ray. */
+/* Vector v of a leaf's triangles, in the ray's space. */
 static ray_space_corners leaf_to_ray_space(const single_ray* ray, __global const float* leaf,
                                            uint v)
 {
@@ -107,7 +108,7 @@ static floatv scales_of(__global const float* leaf, uint v)
     return triangle_scale(corner);
 }
 
-/* As intersect_packet. */
+/* As intersect_packet: true if the ray has a closer hit now. */
 static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_scaled,
                            bool is_any)
 {

@@ -1,5 +1,6 @@
 /* state.h - what a work-item knows while it takes a tile through the scene: the scene, the
- * tile's blocks, and the boxes that are still to be visited. */
+ * tile's blocks, and the stack of boxes that are still to be visited.
+ */
 #ifndef RSH_TRAVERSE_TILES_STATE_H
 #define RSH_TRAVERSE_TILES_STATE_H
 
@@ -8,29 +9,29 @@
 typedef struct bvh_view {
     __global const float* words;
     bvh_layout layout;
-    uint top;     /* node */
-    float leaves; /* about how many */
+    uint top;     /* number of the topmost node */
+    float leaves; /* how many, if all were full */
 } bvh_view;
 
-/* What tile, block and ray, which go on where the one before left, may leave on the stack: 15
- * boxes of each node on the way down. */
+/* Tile, block and ray descents share one stack, one on top of the other. A node replaces an
+ * entry by at most 16, so that a level adds at most 15; depth <= RSH_MAX_BVH_DEPTH. */
 #define RSH_STACK (15 * RSH_MAX_BVH_DEPTH + 16)
 
 typedef struct traversal_state {
     const bvh_view* scene;
     __global const rsh_ray* rays;
-    __global const float* nodes; /* of the tile */
+    __global const float* nodes; /* box_node16 of the tile */
     ray_tile tile;
     bool is_any;
-    bool is_converging; /* nodes run backwards: a hit is no limit to them */
-    uint loaded;        /* blocks */
-    float scene_size;   /* longest side */
-    float leaf_size;    /* surface of the scene's box, by leaves */
+    bool is_converging; /* nodes are seen from t = 1, backwards: a hit does not shorten them */
+    uint loaded;        /* blocks whose packet is loaded, a bit each */
+    float scene_size;   /* longest side of the scene's box */
+    float leaf_size;    /* surface of the scene's box, per leaf */
     interval_packet16 blocks;
     ray_packet packet[16];
     ulong node_tests, ray_tests;
     uint stack_size;
-    ulong stack[RSH_STACK]; /* from which t on (its bits), name */
+    ulong stack[RSH_STACK]; /* bits of the t from which on, then what: near_of, name_of */
 } traversal_state;
 
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
@@ -49,7 +50,7 @@ static ray_packet* packet_of(traversal_state* state, uint b)
     return packet;
 }
 
-/* The block as a node; to be asked at once, before its limit changes. */
+/* The block as an interval packet; to be used at once, as its limit changes with each hit. */
 static const interval_packet* interval_packet_of_block(traversal_state* state, uint b)
 {
     interval_packet* packet = &packet_of(state, b)->intervals;
@@ -57,7 +58,7 @@ static const interval_packet* interval_packet_of_block(traversal_state* state, u
     return packet;
 }
 
-/* After hits of a block's rays. */
+/* After a ray of the block found a closer hit. */
 static void lower_block_limit(traversal_state* state, uint b)
 {
     const float limit = packet_limit(&state->packet[b]);
@@ -71,13 +72,13 @@ static __global const float* node_of(const traversal_state* state, uint node)
 
 static bool is_leaf(uint child) { return (child & RSH_IS_LEAF) != 0; }
 
-/* child: of a box around a leaf. */
+/* child: bvh_node::child of a leaf. */
 static __global const float* leaf_of(const traversal_state* state, uint child)
 {
     return state->scene->words + leaf_at(RSH_CHILD_NUMBER(child));
 }
 
-/* A box and what is below it, as in bvh_node; its sides [axis]. */
+/* A child and its box, out of a bvh_node. */
 typedef struct bvh_child {
     uint child;
     float low[3], high[3];
@@ -93,8 +94,9 @@ static bvh_child load_box(const traversal_state* state, uint number)
 static float near_of(ulong entry) { return as_float((uint)(entry >> 32)); }
 static uint name_of(ulong entry) { return (uint)entry; }
 
-/* Boxes of a node that were met, as entries of the stack, the nearest last: by their numbers,
- * 16 * node + k, or, if `child` is not 0, by what is below them. Returns how many. */
+/* Makes stack entries of the boxes of a node that were met, the nearest last. An entry is named
+ * by its slot, 16 * node + k, or, where `child` is not 0, by the child itself. Returns how
+ * many. */
 static uint sort_boxes(uint met, const float* near, uint node, __global const uint* child,
                        ulong* sorted)
 {
@@ -110,7 +112,7 @@ static uint sort_boxes(uint met, const float* near, uint node, __global const ui
     return count;
 }
 
-/* Puts the boxes of a node that the packet can meet onto the stack. */
+/* Pushes the boxes of a node that the packet can meet. */
 static void push_boxes_met(traversal_state* state, const interval_packet* packet, uint node)
 {
     float near[16];

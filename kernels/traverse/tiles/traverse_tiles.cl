@@ -1,14 +1,14 @@
 /* traverse_tiles.cl - a work-item finishes a tile of 256 rays: boxes of the scene front to
- * back, triangles last. Rays go down the boxes together, as a tile, where they are worth it;
- * where few blocks of the tile meet a box, block by block; where few rays of a block do, ray by
- * ray.
- *   bvh        in      the scene's, and the triangles themselves; see bvh/layout.h
- *   nodes      in      blocks of the tiles (rays/build_boxes.cl)
+ * back, triangles last. Rays go down the tree together, as a tile packet, where that pays;
+ * block by block where few blocks of the tile meet a box; ray by ray where few rays of a block
+ * do.
+ *   bvh        in      see bvh/layout.h
+ *   nodes      in      the blocks of the tiles (rays/build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
- * Nothing leaves the work-item but its answers; what it needs is known beforehand: a stack of
- * 15 boxes per node on the way down. Whatever a decision below costs or saves, it only
- * leaves out tests that cannot succeed.
+ *   counts     in/out  if is_counting: tests of nodes, of rays
+ * Each decision below only chooses between orders of the same tests, or leaves out tests that
+ * cannot succeed. A work-item needs no memory but its stack, whose size is known.
  */
 #include "rays/nodes_head.h"
 #include "traverse/count.h"
@@ -17,12 +17,12 @@
 #include "traverse/wrong_buffers.h"
 #include "tuning.h"
 
-/* Blocks of the tile that go down the boxes together. */
+/* Blocks of the tile that go down the tree together. */
 typedef struct tile_packet {
     interval_packet intervals;
     uint blocks; /* bit mask */
-    int sign[3]; /* that of all their rays per axis, or 0 */
-    uint wasted; /* visits that met no block, less those that did */
+    int sign[3]; /* of all directions per axis; 0: they differ */
+    uint wasted; /* a visit that meets no block adds 1, another one takes 1 off */
 } tile_packet;
 
 static tile_packet tile_packet_of(const traversal_state* state, uint blocks,
@@ -36,7 +36,7 @@ static tile_packet tile_packet_of(const traversal_state* state, uint blocks,
     return packet;
 }
 
-/* How far the packet still has to look. */
+/* No block of the packet has anything to find behind its limit. */
 static void lower_limit(const traversal_state* state, tile_packet* packet)
 {
     floatv limit[RSH_VECTORS];
@@ -101,7 +101,7 @@ static bool traverse_together(traversal_state* state, uint blocks, const float* 
     for (uint left = blocks; left; left &= left - 1) {
         const float alone = cost[lowest_bit(left)];
         apart += is_incoherent(state, alone) ? 16.0f * RSH_RAY_COST : RSH_PACKET_COST + alone;
-        together += alone; /* each still has its own to do at the leaves */
+        together += alone; /* at the leaves, each block still does its own tests */
     }
     if (together > apart) return false;
     traverse(state, blocks, &bounds);
@@ -121,8 +121,8 @@ static void traverse_apart(traversal_state* state, uint blocks, const float* cos
     }
 }
 
-/* A tile whose rays have little in common, as at the edge between two mirrors, goes by
- * quarters, blocks or rays. */
+/* A tile whose rays have little in common, as at the edge between two mirrors, is split into
+ * quarters, these into blocks, these into rays. */
 static void traverse_tile(traversal_state* state, uint active)
 {
     float cost[16];
@@ -135,7 +135,7 @@ static void traverse_tile(traversal_state* state, uint active)
     }
 }
 
-/* Returns the blocks that hold a ray. */
+/* Returns the blocks that hold an active ray, a bit each. */
 static uint begin_tile(traversal_state* state)
 {
     uint active = 0;
