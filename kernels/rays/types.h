@@ -41,13 +41,16 @@ RSH_ASSERT_SIZE(nodes_head, 64);
 
 /* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
- * Level 0 holds the rays. A node of level l + 1 has branching * branching children of level l: node (x, y)
- * those from (branching * x, branching * y) on, row by row; in a list, a range of branching * branching. A node's index
- * is y * width[l] + x; children outside of the level are inactive.
+ * Level 0 holds the rays. A node of level l + 1 has branching * branching children of level l:
+ * node (x, y) those from (branching * x, branching * y) on, row by row; in a list, a range of
+ * branching * branching. A node's index is y * width[l] + x; children outside of the level are
+ * inactive.
  *
- * cone: branching 2, level `count` is the root; the children of a node are one cone_node4, number
+ * cone: branching 2, level `count` is the root; the children of a node are one cone_node4,
+ * number
  *       first_child_group[l] + index.
- * box:  branching 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile are
+ * box:  branching 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile
+ * are
  *       one box_node16, number index. Behind those of a list lie a word per ray and one
  *       more. If that is 1, the list is sorted: the words are the rays in their order, and
  *       children mean places in it. */

@@ -1,5 +1,5 @@
-// layout.hpp - where things lie in what the bound `box` makes of a scene. Needs nothing but
-// bvh/types.h: tests read the same.
+// layout.hpp - how large the BVH of so many triangles is, and where things lie in it. Needs
+// nothing but bvh/types.h: tests read the same.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,10 @@
 
 namespace rsh {
 
-// Room for ranges of 14 triangles on the average and three more, or of 8 each (bvh/leaves.cl).
-// Nodes hold 8 and more but for the last of a part, or of a level (bvh/nodes_from_ranges.h), or on the
-// average (bvh/collapse16.h).
+// Room for leaves of 14 triangles on the average and three more, or of 8 each
+// (bvh/leaf_builder.h). Nodes have at least 8 children, but for the last node of a part or of a
+// level (bvh/nodes_from_ranges.h); those out of the tree have 9 on the average
+// (bvh/collapse16.h).
 inline bvh_layout bvh_layout_of(rsh_uint triangle_count) {
     constexpr rsh_uint kLeastPart = 256, kMostPart = 8192, kMostLevels = 9;
     bvh_layout layout = {};

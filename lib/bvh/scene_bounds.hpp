@@ -1,5 +1,5 @@
-// scene_bounds.hpp - what the triangles are bounded by, for one shape of node over the rays: all
-// that a traversal needs on the scene's side. list.cpp knows which ones there are.
+// scene_bounds.hpp - what the triangles are bounded by, for one shape of node over the rays:
+// all that a traversal needs on the scene's side. list.cpp knows which ones there are.
 #pragma once
 
 #include "device/cl/recorder.hpp"

@@ -1,5 +1,5 @@
-// error.hpp - how failures travel inside the library: as Error, until api/rsh.cpp turns them into a
-// status. Nothing here prints or aborts.
+// error.hpp - how failures travel inside the library: as Error, until api/rsh.cpp turns them
+// into a status. Nothing here prints or aborts.
 #pragma once
 
 #include <rsh/rsh.h>

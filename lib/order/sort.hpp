@@ -1,5 +1,5 @@
-// sort.hpp - numbers in the order of their keys (order/sort.cl), as triangles and rays need it before
-// boxes are put around runs of them. What makes the keys fills the bins as well.
+// sort.hpp - numbers in the order of their keys (order/sort.cl), as triangles and rays need it
+// before boxes are put around ranges of them. What makes the keys fills the bins as well.
 #pragma once
 
 #include "device/cl/recorder.hpp"

@@ -12,7 +12,7 @@ Sort sort_of_rays(const Context& context, const rsh_levels& list) {
     return {list.width[0], RSH_RAY_BINS, context.caps.compute_units};
 }
 
-// rays/sort_rays.cl: behind the groups of a list's blocks.
+// rays/sort_rays.cl; the order goes behind the nodes of a list.
 void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels& list,
                 const Scratch& scratch) {
     const Sort sort = sort_of_rays(recorder.context(), list);

@@ -1,5 +1,5 @@
-// box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile, in
-// kernels/rays/build_boxes.cl; against the BVH16 of the scene.
+// box.hpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile,
+// in kernels/rays/build_boxes.cl; against the BVH16 of the scene.
 #pragma once
 
 #include "rays/node_shape.hpp"

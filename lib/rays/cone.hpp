@@ -1,5 +1,6 @@
-// cone.hpp - the node of Roger, Assarsson and Holzschuch 2007: a cone capped by a sphere, four children
-// each, up to a root, in kernels/rays/build_cones.cl; against spheres around the triangles.
+// cone.hpp - the node of Roger, Assarsson and Holzschuch 2007: a cone capped by a sphere, four
+// children each, up to a root, in kernels/rays/build_cones.cl; against spheres around the
+// triangles.
 #pragma once
 
 #include "rays/node_shape.hpp"

@@ -9,7 +9,8 @@ namespace rsh {
 rsh_levels cone_levels(cl_uint width, cl_uint height);
 // Nodes of the shape `box`: blocks of 4 x 4 rays and tiles of 4 x 4 blocks.
 rsh_levels box_levels(cl_uint width, cl_uint height);
-// 16 children per node, from blocks over tiles up to a root; first_child_group numbers their groups.
+// 16 children per node, from blocks over tiles up to a root; first_child_group numbers their
+// groups.
 rsh_levels group_levels(cl_uint width, cl_uint height);
 
 inline cl_ulong node_count(const rsh_levels& levels, cl_uint level) {

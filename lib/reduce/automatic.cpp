@@ -1,6 +1,6 @@
 // automatic.cpp - picks a strategy for a stream: by the device and by the longest that the
-// stream may be, here; by how much of a tile is kept, in the kernels (reduce/range.h). Never one
-// that the self-test found wrong.
+// stream may be, here; by how much of a tile is kept, in the kernels (reduce/range.h). Never
+// one that the self-test found wrong.
 #include <stdexcept>
 
 #include "device/error.hpp"

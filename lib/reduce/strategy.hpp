@@ -39,7 +39,8 @@ public:
     virtual cl_uint id() const noexcept = 0;        // RSH_STRATEGY_...
     virtual const char* name() const noexcept = 0;  // command lines, logs, benchmarks
     virtual bool is_stable() const noexcept = 0;    // kept elements stay in order
-    // For streams of up to `count` elements: itself, but for `auto`. unsafe: a bit per strategy.
+    // For streams of up to `count` elements: itself, but for `auto`. unsafe: a bit per
+    // strategy.
     virtual const Strategy& chosen(const Context&, cl_uint /*count*/,
                                    cl_uint /*unsafe*/) const {
         return *this;
@@ -53,8 +54,8 @@ public:
 
 const std::vector<const Strategy*>& strategies();
 const Strategy& find_strategy(cl_uint id);  // throws
-// The strategy that a call names, or `auto` for it, unless rsh_device_selftest found it wrong on
-// this context's device. Asked once per call: its answer may change at any time.
+// The strategy that a call names, or `auto` for it, unless rsh_device_selftest found it wrong
+// on this context's device. Asked once per call: its answer may change at any time.
 cl_uint chosen_strategy(const Context& context, cl_uint id, cl_uint count);
 
 // rsh_reduce

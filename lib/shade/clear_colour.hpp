@@ -1,4 +1,5 @@
-// clear_colour.hpp - begins a frame's image (shade/clear_colour.cl) and counts its primary hits.
+// clear_colour.hpp - begins a frame's image (shade/clear_colour.cl) and counts its primary
+// hits.
 #pragma once
 
 #include "device/cl/recorder.hpp"

@@ -1,5 +1,5 @@
-// brute_force.hpp - every ray against every triangle (traverse/brute_force.cl): what the others must
-// equal.
+// brute_force.hpp - every ray against every triangle (traverse/brute_force.cl): what the others
+// must equal.
 #pragma once
 
 #include "traverse/engine.hpp"

@@ -6,7 +6,8 @@
 // 0, 1, 2, ... in any order.
 void expect_permutation(std::vector<uint32_t> numbers);
 
-// Every block holds its active rays, with the room that rays/box_node.h asks for around their origins.
+// Every block holds its active rays, with the room that rays/box_node.h asks for around their
+// origins.
 void expect_contains_all(const test::Rays& rays, bool converging);
 
 struct BvhCounts {

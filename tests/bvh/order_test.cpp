@@ -31,8 +31,8 @@ std::vector<Float3> shuffled_cells(test::Random& random, float side) {
     return cells;
 }
 
-// Per cell `count` triangles, one after the other; before them `count` each at the ends of a cube
-// from 0 to 127.
+// Per cell `count` triangles, one after the other; before them `count` each at the ends of a
+// cube from 0 to 127.
 std::vector<Float3> fill(const std::vector<Float3>& cells, uint32_t count) {
     std::vector<Float3> points(count, Float3(0, 0, 0));
     points.insert(points.end(), count, Float3(126.98f, 126.98f, 126.98f));

@@ -1,5 +1,6 @@
-// recount_test.cpp - bounds that are kept over frames with other numbers of triangles: whatever an
-// update finds in the buffer, the hits are those of brute force, and nothing outside is touched.
+// recount_test.cpp - bounds that are kept over frames with other numbers of triangles: whatever
+// an update finds in the buffer, the hits are those of brute force, and nothing outside is
+// touched.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,8 +17,8 @@ using test::DeviceMesh;
 using test::Mesh;
 using Counts = std::vector<uint32_t>;
 
-// Back to an earlier number after less, more, or nothing; numbers that differ in few words of the
-// shape, or in none but the number itself.
+// Back to an earlier number after less, more, or nothing; numbers that differ in few words of
+// the shape, or in none but the number itself.
 std::vector<Counts> recounts() {
     if (test::small()) return {{33, 17, 33}};
     return {{64, 32, 64},

@@ -69,8 +69,8 @@ public:
     // BLOCKS for two words from the front of `buffer`; rsh_frame only.
     std::array<cl_uint, 2> read_now(cl_mem buffer);
 
-    // The word that takes what traversals meet that was not made for them: the context's, or one
-    // of the call's own, which is 0 from then on.
+    // The word that takes what traversals meet that was not made for them: the context's, or
+    // one of the call's own, which is 0 from then on.
     cl_mem wrong_buffers() const { return wrong_buffers_; }
     void own_wrong_buffers(cl_mem word);
 

@@ -16,8 +16,9 @@ constexpr size_t kBytesPerTriangle = 2 * sizeof(cl_uint) + sizeof(cl_ushort);
 constexpr cl_ulong kMaxCapacity = 1u << 27;
 constexpr size_t kDefaultBytes = 40;  // per ray and per triangle
 
-// A parent's range is cut so that each level has work-items for all cores; each of them looks at
-// the counts of all slices of its parent, so that more slices would cost more than they bring.
+// A parent's range is cut so that each level has work-items for all cores; each of them looks
+// at the counts of all slices of its parent, so that more slices would cost more than they
+// bring.
 constexpr cl_uint kMaxSlices = 256;
 
 cl_uint nodes_of(const rsh_levels& levels, cl_uint level) {
@@ -50,8 +51,8 @@ bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles,
     return triangles * node_count(levels, level) > capacity;
 }
 
-// A batch starts as a quarter of what a level can hold: streams grow on their way down, and what
-// outgrows them is finished otherwise.
+// A batch starts as a quarter of what a level can hold: streams grow on their way down, and
+// what outgrows them is finished otherwise.
 cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
                         cl_uint capacity) {
     const cl_uint all = names_of(desc);

@@ -1,7 +1,7 @@
-// paper.hpp - the traversal of Roger, Assarsson and Holzschuch 2007, tuned: breadth first, every
-// triangle against the root, and no early end, but 16 children per node tested at a time, a range
-// of triangles per node instead of a stream of pairs, and survivors counted before they are
-// written. What paper_faithful.hpp does as written, for comparison.
+// paper.hpp - the traversal of Roger, Assarsson and Holzschuch 2007, tuned: breadth first,
+// every triangle against the root, and no early end, but 16 children per node tested at a time,
+// a range of triangles per node instead of a stream of pairs, and survivors counted before they
+// are written. What paper_faithful.hpp does as written, for comparison.
 #pragma once
 
 #include "traverse/engine.hpp"

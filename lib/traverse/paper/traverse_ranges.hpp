@@ -1,5 +1,6 @@
-// traverse_ranges.hpp - the launches of the engine `paper`: one level of the stream by count, scan
-// and emit (traverse/paper/traverse_ranges.cl), what it cannot hold, and the rays at its end (traverse/paper/intersect_ranges.cl).
+// traverse_ranges.hpp - the launches of the engine `paper`: one level of the stream by count,
+// scan and emit (traverse/paper/traverse_ranges.cl), what it cannot hold, and the rays at its
+// end (traverse/paper/intersect_ranges.cl).
 #pragma once
 
 #include "device/cl/recorder.hpp"
@@ -39,8 +40,8 @@ void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc);
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
                       const rsh_levels& shape, const RangeStreams& streams);
 
-// Nodes of the bound `box` above the tiles, into `upper`, numbered from the first group of the
-// tiles' own level.
+// Nodes of shape `box` above the blocks, into `upper`: one box_node16 after the other, the
+// first ones of tiles, the last one of the root's children.
 void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper);
 
 }  // namespace rsh

@@ -12,9 +12,9 @@ namespace rsh {
 namespace {
 
 constexpr size_t kDefaultBudget = 64u << 20;
-// A pair that is tested takes four tested_pairs and, if all survive, four places behind them.
+// A pair that is tested takes four tested pairs and, if all survive, four places behind them.
 constexpr size_t kBytesPerTest = 8 * sizeof(stream_pair);
-// Its four tested_pairs are counted in 32 bits.
+// Its four tested pairs are counted in 32 bits.
 constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
 
 rsh_levels cone_levels(const rsh_traverse_desc& desc) {

@@ -1,6 +1,6 @@
-// paper_faithful.hpp - the traversal of Roger, Assarsson and Holzschuch 2007: breadth first, one level
-// per pass, every triangle against the root, four children per pair, a reduction after each
-// level.
+// paper_faithful.hpp - the traversal of Roger, Assarsson and Holzschuch 2007: breadth first,
+// one level per pass, every triangle against the root, four children per pair, a reduction
+// after each level.
 #pragma once
 
 #include "traverse/engine.hpp"

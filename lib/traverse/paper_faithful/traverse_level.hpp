@@ -1,6 +1,6 @@
 // traverse_level.hpp - one level of the traversal: cone-sphere tests of a stream of pairs
-// (traverse/paper_faithful/traverse_level.cl), and the depth-first end of what the stream cannot hold
-// (traverse/paper_faithful/traverse_walk.cl).
+// (traverse/paper_faithful/traverse_level.cl), and the depth-first end of what the stream
+// cannot hold (traverse/paper_faithful/traverse_walk.cl).
 #pragma once
 
 #include "device/cl/recorder.hpp"
@@ -9,7 +9,8 @@
 namespace rsh {
 
 // The streams of one traversal. A level's test reads at most `limit` pairs and writes four
-// tested_pairs for each; the reduction packs them into `pairs` and counts them in counts[level].
+// tested pairs for each; the reduction packs them into `pairs` and counts them in
+// counts[level].
 struct PairStreams {
     cl_uint limit;
     cl_mem pairs;

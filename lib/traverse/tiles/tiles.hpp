@@ -1,5 +1,6 @@
-// tiles.hpp - each work-item finishes a tile of 256 rays on its own (traverse/tiles/traverse_tiles.cl): boxes
-// of the scene front to back, and nothing behind the tile's farthest hit.
+// tiles.hpp - each work-item finishes a tile of 256 rays on its own
+// (traverse/tiles/traverse_tiles.cl): boxes of the scene front to back, and nothing behind the
+// tile's farthest hit.
 #pragma once
 
 #include "traverse/engine.hpp"
