@@ -54,9 +54,10 @@
  *              another because of it. Contents are undefined before and after; one scratch
  *              buffer serves one call at a time.
  *   Errors     Every argument is checked before anything is enqueued; a status other than
- *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure or
- *              RSH_CANCELLED in the middle of a call, when they are undefined and *done tells
- *              when their memory is free again. rsh_last_error() says more.
+ *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure, a
+ *              kernel that is too large for the device (RSH_UNSUPPORTED) or RSH_CANCELLED in the
+ *              middle of a call, when they are undefined and *done tells when their memory is
+ *              free again. rsh_last_error() says more.
  *   Threads    Any function may be called from any thread. Calls on one context run side by
  *              side if their output buffers differ; rsh_release_context must be the last call
  *              on it.

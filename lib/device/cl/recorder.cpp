@@ -25,12 +25,15 @@ Recorder::~Recorder() {
 
 void Recorder::enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
                        const Range& range) {
-    const size_t groups = (range.items + range.group_size - 1) / range.group_size;
+    const size_t size =
+        range.group_size == 1
+            ? 1
+            : fitting_group(name.kernel, range, group_limits(kernel, context_.device));
+    const size_t groups = (range.items + size - 1) / size;
     cl::Event event;
     try {
-        queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
-                                    cl::NDRange(groups * range.group_size),
-                                    cl::NDRange(range.group_size), waits(), &event);
+        queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * size),
+                                    cl::NDRange(size), waits(), &event);
     } catch (const cl::Error& error) {
         const char* code = opencl_error_name(error.err());
         throw Error(error.err(), std::string(error.what()) + " of " + name.kernel +
@@ -54,7 +57,7 @@ Range Recorder::stream_range() const {
     const DeviceCaps& caps = context_.caps;
     const size_t tasks = size_t{caps.compute_units} * 16;
     if (context_.vector_width > 1) return {tasks, 1};
-    return {tasks * caps.group_size, caps.group_size};
+    return {tasks * caps.group_size, caps.group_size, true};
 }
 
 void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset) {

@@ -9,6 +9,7 @@
 
 #include "device/cl/context.hpp"
 #include "device/cl/opencl.hpp"
+#include "device/cl/work_group.hpp"
 #include "device/layout.hpp"
 
 namespace rsh {
@@ -18,11 +19,6 @@ struct Submission {
     cl_command_queue queue;
     cl_uint wait_count;
     const cl_event* wait_list;
-};
-
-struct Range {
-    size_t items;  // rounded up to whole groups
-    size_t group_size;
 };
 
 class Recorder {
@@ -49,11 +45,11 @@ public:
     }
 
     // One work-item per element, in groups of the device's usual size.
-    Range range(size_t items) const { return {items, context_.caps.group_size}; }
+    Range range(size_t items) const { return {items, context_.caps.group_size, true}; }
 
     // The same for long work-items, a tile of rays or more each: no groups on CPUs.
     Range serial_range(size_t items) const {
-        return {items, context_.vector_width > 1 ? 1 : context_.caps.group_size};
+        return {items, context_.vector_width > 1 ? 1 : context_.caps.group_size, true};
     }
 
     // Enough work-items to fill the device, for a stream whose length only the device knows;
