@@ -99,13 +99,13 @@ static void clear_rows(uint b, node_rows* rows)
 }
 
 /* Writes behind the nodes of a list whether its rays are sorted. */
-__kernel void rsh_build_boxes_order(rsh_levels shape, __global const sort_plan* sorting,
+__kernel void rsh_build_boxes_order(ray_levels shape, __global const sort_plan* sorting,
                                     __global uint* nodes)
 {
     if (get_global_id(0) == 0) nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
 }
 
-__kernel void rsh_build_boxes(rsh_levels shape, __global const rsh_ray* rays,
+__kernel void rsh_build_boxes(ray_levels shape, __global const rsh_ray* rays,
                               uint is_converging, __global float* nodes)
 {
     const uint me = get_global_id(0);

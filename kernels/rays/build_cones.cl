@@ -147,7 +147,7 @@ static cone_node merge(const cone_node4* quad)
     return parent;
 }
 
-static cone_node leaf(const rsh_levels* levels, __global const rsh_ray* rays,
+static cone_node leaf(const ray_levels* levels, __global const rsh_ray* rays,
                       uint is_converging, uint parent, uint k)
 {
     const uint child = child_of(levels, 0, parent, k);
@@ -161,7 +161,7 @@ static __global cone_node4* quads_in(__global uint* nodes)
     return (__global cone_node4*)(nodes + RSH_NODES_HEAD_WORDS);
 }
 
-__kernel void rsh_build_cones_rays(rsh_levels levels, __global const rsh_ray* rays,
+__kernel void rsh_build_cones_rays(ray_levels levels, __global const rsh_ray* rays,
                                    uint is_converging, __global uint* nodes)
 {
     const uint i = get_global_id(0);
@@ -173,10 +173,10 @@ __kernel void rsh_build_cones_rays(rsh_levels levels, __global const rsh_ray* ra
     quads_in(nodes)[levels.first_child_group[0] + i] = quad;
 }
 
-__kernel void rsh_build_cones_level(rsh_levels shape, uint level, __global uint* nodes)
+__kernel void rsh_build_cones_level(ray_levels shape, uint level, __global uint* nodes)
 {
     __global cone_node4* quads = quads_in(nodes);
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const uint i = get_global_id(0);
     if (i >= levels.width[level + 1] * levels.height[level + 1]) return;
     cone_node4 quad;

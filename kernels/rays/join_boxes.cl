@@ -29,11 +29,11 @@ static void clear_row(float* row)
     row[13] = 0.0f;
 }
 
-__kernel void rsh_join_boxes(rsh_levels shape, uint level, __global const float* in,
+__kernel void rsh_join_boxes(ray_levels shape, uint level, __global const float* in,
                              uint first_word, uint first_in, __global float* out,
                              uint first_out)
 {
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const uint me = get_global_id(0);
     if (me >= levels.width[level + 1] * levels.height[level + 1]) return;
     __global float* node16 = out + 224ul * (first_out + me);

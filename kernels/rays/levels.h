@@ -1,7 +1,7 @@
 /* levels.h - where the nodes of a level lie, and how they are named on the way down; see
- * rsh_levels.
+ * ray_levels.
  *
- * A kernel that looks up a level which varies copies its rsh_levels argument first: Mesa 22.3's
+ * A kernel that looks up a level which varies copies its ray_levels argument first: Mesa 22.3's
  * llvmpipe reads arguments at constant offsets only, and crashes at any other.
  */
 #ifndef RSH_RAYS_LEVELS_H
@@ -11,13 +11,13 @@
 
 #define RSH_NO_NODE 0xffffffffu
 
-/* log2 of rsh_levels::branching, which is 2 or 4. */
-static uint branching_bits(const rsh_levels* levels) { return levels->branching / 2; }
+/* log2 of ray_levels::branching, which is 2 or 4. */
+static uint branching_bits(const ray_levels* levels) { return levels->branching / 2; }
 
 /* Index, in its level, of child k of node `parent` of level + 1; RSH_NO_NODE: the level has no
  * such node. Worked example, a grid 5 wide, branching 2: parent 4 of level 1 (3 wide) is (1,
  * 1); its child 1 at level 0 is (3, 2): index 2 * 5 + 3. */
-static uint child_of(const rsh_levels* levels, uint level, uint parent, uint k)
+static uint child_of(const ray_levels* levels, uint level, uint parent, uint k)
 {
     const uint bits = branching_bits(levels), width = levels->width[level];
     if (levels->is_list) {
@@ -32,7 +32,7 @@ static uint child_of(const rsh_levels* levels, uint level, uint parent, uint k)
 
 /* Index, at `level`, of the node that holds node `node` of level `from`; level >= from. Worked
  * example, a grid, branching 4: column 13 at level 2 is column 3 at level 3. */
-static uint ancestor_of(const rsh_levels* levels, uint from, uint node, uint level)
+static uint ancestor_of(const ray_levels* levels, uint from, uint node, uint level)
 {
     const uint bits = branching_bits(levels) * (level - from);
     if (levels->is_list) return node >> 2 * bits;
@@ -45,7 +45,7 @@ static uint ancestor_of(const rsh_levels* levels, uint from, uint node, uint lev
  * grid by row * 65536 + column: no division on the way from parent to child, both halves
  * double. In a list the name is the index. Rays, at level 0, are named by their index at
  * last. */
-static uint quad_index(const rsh_levels* levels, uint level, uint node)
+static uint quad_index(const ray_levels* levels, uint level, uint node)
 {
     const uint first = levels->first_child_group[level];
     if (levels->is_list) return first + node;
@@ -53,7 +53,7 @@ static uint quad_index(const rsh_levels* levels, uint level, uint node)
 }
 
 /* Names of the four children at `level` of a node of level + 1. */
-static uint4 child_names(const rsh_levels* levels, uint level, uint node)
+static uint4 child_names(const ray_levels* levels, uint level, uint node)
 {
     if (levels->is_list) return 4 * node + (uint4)(0, 1, 2, 3);
     if (level > 0) return 2 * node + (uint4)(0, 1, 0x10000, 0x10001);

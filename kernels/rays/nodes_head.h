@@ -8,7 +8,7 @@
 #define RSH_NODES_HEAD_WORDS 16
 
 /* made: RSH_..._MADE. */
-static void write_nodes_head(rsh_levels shape, uint made, __global void* nodes)
+static void write_nodes_head(ray_levels shape, uint made, __global void* nodes)
 {
     __global nodes_head* head = (__global nodes_head*)nodes;
     head->made = made;
@@ -17,7 +17,7 @@ static void write_nodes_head(rsh_levels shape, uint made, __global void* nodes)
     head->is_list = shape.is_list;
 }
 
-static bool nodes_are_of(rsh_levels shape, uint made, __global const void* nodes)
+static bool nodes_are_of(ray_levels shape, uint made, __global const void* nodes)
 {
     __global const nodes_head* head = (__global const nodes_head*)nodes;
     return head->made == made && head->width == shape.width[0] &&

@@ -10,19 +10,19 @@
 typedef struct ray_tile {
     uint width, height;         /* rays; list: height 0 */
     uint x, y;                  /* first ray; list: x */
-    __global const uint* order; /* rays by place, see rsh_levels; 0: places are rays */
+    __global const uint* order; /* rays by place, see ray_levels; 0: places are rays */
 } ray_tile;
 
-static uint tile_count(rsh_levels shape) { return shape.width[2] * shape.height[2]; }
+static uint tile_count(ray_levels shape) { return shape.width[2] * shape.height[2]; }
 
 /* Where the order of a list's rays lies behind its nodes, in words; and behind that a word that
  * says whether there is one. */
-static ulong order_behind(rsh_levels shape)
+static ulong order_behind(ray_levels shape)
 {
     return RSH_RAY_ORDER_AT((ulong)tile_count(shape));
 }
 
-static ray_tile tile_at(rsh_levels shape, __global const uint* nodes, uint tile)
+static ray_tile tile_at(ray_levels shape, __global const uint* nodes, uint tile)
 {
     if (shape.is_list) {
         const uint count = shape.width[0];

@@ -54,7 +54,7 @@ RSH_ASSERT_SIZE(nodes_head, 64);
  *       one box_node16, number index. Behind those of a list lie a word per ray and one
  *       more. If that is 1, the list is sorted: the words are the rays in their order, and
  *       children mean places in it. */
-typedef struct rsh_levels {
+typedef struct ray_levels {
     rsh_uint count;
     rsh_uint is_list; /* 1: every level has height 1, children in a row */
     rsh_uint width[RSH_MAX_LEVELS + 1];
@@ -62,10 +62,10 @@ typedef struct rsh_levels {
     rsh_uint first_child_group[RSH_MAX_LEVELS +
                                1]; /* of the nodes of level l; [count]: all of them */
     rsh_uint branching;
-} rsh_levels;
-RSH_ASSERT_SIZE(rsh_levels, 216);
+} ray_levels;
+RSH_ASSERT_SIZE(ray_levels, 216);
 
-/* Words before the order of a list's rays in its nodes; see rsh_levels. */
+/* Words before the order of a list's rays in its nodes; see ray_levels. */
 #define RSH_RAY_ORDER_AT(tiles) (sizeof(nodes_head) / 4 + sizeof(box_node16) / 4 * (tiles))
 
 /* Bins of rays/sort_rays.cl: octants of directions by cells of origins; then inactive rays. */

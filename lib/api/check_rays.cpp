@@ -42,7 +42,7 @@ void check_buffers(const Context& context, const rsh_build_desc& desc) {
     Buffers buffers(context);
     const NodeShape& shape = find_shape(desc.shape);
     buffers.in("rays", desc.rays, ray_count(desc.width, desc.height) * sizeof(rsh_ray));
-    const rsh_levels levels = shape.levels(desc.width, desc.height);
+    const ray_levels levels = shape.levels(desc.width, desc.height);
     buffers.out("nodes", desc.nodes, shape.bytes(levels));
     buffers.scratch(desc.scratch, shape.scratch(context, levels).bytes());
 }

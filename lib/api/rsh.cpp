@@ -232,7 +232,7 @@ rsh_status rsh_bound(rsh_context context, cl_command_queue queue, const rsh_boun
 rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc, rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
         const rsh::NodeShape& shape = rsh::find_shape(checked.shape);
-        const rsh_levels levels = shape.levels(checked.width, checked.height);
+        const ray_levels levels = shape.levels(checked.width, checked.height);
         return rsh::sizes_of(shape.bytes(levels), shape.scratch(own, levels).bytes());
     });
 }

@@ -53,7 +53,7 @@ void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc&
     layout.add_array<cl_uint>("wrong buffers", 1);
     if (!desc.bounds) layout.add("bounds", bounds.bytes(geometry));
     layout.add("bound scratch", bounds.scratch(context, geometry, desc.mode).bytes());
-    const rsh_levels levels = shape.levels(desc.width, desc.height);
+    const ray_levels levels = shape.levels(desc.width, desc.height);
     layout.add("nodes", shape.bytes(levels));
     layout.add("build scratch", shape.scratch(context, levels).bytes());
     const Engine& engine = find_engine(desc.engine);

@@ -8,12 +8,12 @@
 namespace rsh {
 namespace {
 
-Sort sort_of_rays(const Context& context, const rsh_levels& list) {
+Sort sort_of_rays(const Context& context, const ray_levels& list) {
     return {list.width[0], RSH_RAY_BINS, context.caps.compute_units};
 }
 
 // rays/sort_rays.cl; the order goes behind the nodes of a list.
-void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels& list,
+void order_rays(Recorder& recorder, const rsh_build_desc& desc, const ray_levels& list,
                 const Scratch& scratch) {
     const Sort sort = sort_of_rays(recorder.context(), list);
     const cl_uint rays = list.width[0];
@@ -32,17 +32,17 @@ void order_rays(Recorder& recorder, const rsh_build_desc& desc, const rsh_levels
 
 }  // namespace
 
-rsh_levels Box::levels(cl_uint width, cl_uint height) const {
+ray_levels Box::levels(cl_uint width, cl_uint height) const {
     return box_levels(width, height);
 }
 
-size_t Box::bytes(const rsh_levels& levels) const {
+size_t Box::bytes(const ray_levels& levels) const {
     const size_t order = levels.is_list ? size_t{levels.width[0]} + 1 : 0;
     return sizeof(nodes_head) + node_count(levels, 2) * sizeof(box_node16) +
            order * sizeof(cl_uint);
 }
 
-Layout Box::scratch(const Context& context, const rsh_levels& levels) const {
+Layout Box::scratch(const Context& context, const ray_levels& levels) const {
     Layout layout(context.caps.alignment);
     if (!levels.is_list) return layout;
     const Sort sort = sort_of_rays(context, levels);
@@ -52,7 +52,7 @@ Layout Box::scratch(const Context& context, const rsh_levels& levels) const {
 }
 
 void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {
-    const rsh_levels shape = levels(desc.width, desc.height);
+    const ray_levels shape = levels(desc.width, desc.height);
     const Scratch memory(recorder, scratch(recorder.context(), shape), desc.scratch);
     if (shape.is_list) order_rays(recorder, desc, shape, memory);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_boxes"),

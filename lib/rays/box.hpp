@@ -10,9 +10,9 @@ class Box final : public NodeShape {
 public:
     cl_uint id() const noexcept override { return RSH_SHAPE_BOX; }
     const char* name() const noexcept override { return "box"; }
-    rsh_levels levels(cl_uint width, cl_uint height) const override;
-    size_t bytes(const rsh_levels& levels) const override;
-    Layout scratch(const Context& context, const rsh_levels& levels) const override;
+    ray_levels levels(cl_uint width, cl_uint height) const override;
+    size_t bytes(const ray_levels& levels) const override;
+    Layout scratch(const Context& context, const ray_levels& levels) const override;
     void build(Recorder& recorder, const rsh_build_desc& desc) const override;
 };
 

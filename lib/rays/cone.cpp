@@ -5,20 +5,20 @@
 
 namespace rsh {
 
-rsh_levels Cone::levels(cl_uint width, cl_uint height) const {
+ray_levels Cone::levels(cl_uint width, cl_uint height) const {
     return cone_levels(width, height);
 }
 
-size_t Cone::bytes(const rsh_levels& levels) const {
+size_t Cone::bytes(const ray_levels& levels) const {
     return sizeof(nodes_head) + levels.first_child_group[levels.count] * sizeof(cone_node4);
 }
 
-Layout Cone::scratch(const Context& context, const rsh_levels&) const {
+Layout Cone::scratch(const Context& context, const ray_levels&) const {
     return Layout(context.caps.alignment);
 }
 
 void Cone::build(Recorder& recorder, const rsh_build_desc& desc) const {
-    const rsh_levels shape = levels(desc.width, desc.height);
+    const ray_levels shape = levels(desc.width, desc.height);
     const auto parents = [&shape](cl_uint level) {
         return size_t{shape.width[level + 1]} * shape.height[level + 1];
     };

@@ -5,8 +5,8 @@ namespace rsh {
 namespace {
 
 // Level 0 alone. A grid one pixel wide or high is a list as well: its children in a row.
-rsh_levels ray_level(cl_uint width, cl_uint height) {
-    rsh_levels levels = {};
+ray_levels ray_level(cl_uint width, cl_uint height) {
+    ray_levels levels = {};
     if (height == 0) height = 1;
     levels.is_list = width == 1 || height == 1;
     levels.width[0] = levels.is_list ? width * height : width;
@@ -15,7 +15,7 @@ rsh_levels ray_level(cl_uint width, cl_uint height) {
 }
 
 // Adds the level above the topmost one, which is returned.
-cl_uint add_level(rsh_levels& levels) {
+cl_uint add_level(ray_levels& levels) {
     const cl_uint l = levels.count++, branching = levels.branching;
     const cl_uint in_row = levels.is_list ? branching * branching : branching;
     levels.width[l + 1] = (levels.width[l] + in_row - 1) / in_row;
@@ -25,8 +25,8 @@ cl_uint add_level(rsh_levels& levels) {
 
 }  // namespace
 
-rsh_levels cone_levels(cl_uint width, cl_uint height) {
-    rsh_levels levels = ray_level(width, height);
+ray_levels cone_levels(cl_uint width, cl_uint height) {
+    ray_levels levels = ray_level(width, height);
     levels.branching = 2;
     cl_uint quads = 0;
     do {
@@ -38,16 +38,16 @@ rsh_levels cone_levels(cl_uint width, cl_uint height) {
     return levels;
 }
 
-rsh_levels box_levels(cl_uint width, cl_uint height) {
-    rsh_levels levels = ray_level(width, height);
+ray_levels box_levels(cl_uint width, cl_uint height) {
+    ray_levels levels = ray_level(width, height);
     levels.branching = 4;
     add_level(levels);
     add_level(levels);
     return levels;
 }
 
-rsh_levels group_levels(cl_uint width, cl_uint height) {
-    rsh_levels levels = ray_level(width, height);
+ray_levels group_levels(cl_uint width, cl_uint height) {
+    ray_levels levels = ray_level(width, height);
     levels.branching = 4;
     add_level(levels);
     do {

@@ -6,14 +6,14 @@
 namespace rsh {
 
 // Nodes of the shape `cone`: 2 x 2 children each, up to a root.
-rsh_levels cone_levels(cl_uint width, cl_uint height);
+ray_levels cone_levels(cl_uint width, cl_uint height);
 // Nodes of the shape `box`: blocks of 4 x 4 rays and tiles of 4 x 4 blocks.
-rsh_levels box_levels(cl_uint width, cl_uint height);
+ray_levels box_levels(cl_uint width, cl_uint height);
 // 16 children per node, from blocks over tiles up to a root; first_child_group numbers their
 // groups.
-rsh_levels group_levels(cl_uint width, cl_uint height);
+ray_levels group_levels(cl_uint width, cl_uint height);
 
-inline cl_ulong node_count(const rsh_levels& levels, cl_uint level) {
+inline cl_ulong node_count(const ray_levels& levels, cl_uint level) {
     return cl_ulong{levels.width[level]} * levels.height[level];
 }
 

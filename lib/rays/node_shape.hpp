@@ -15,9 +15,9 @@ public:
     virtual ~NodeShape() = default;
     virtual cl_uint id() const noexcept = 0;        // RSH_SHAPE_...
     virtual const char* name() const noexcept = 0;  // command lines, logs, benchmarks
-    virtual rsh_levels levels(cl_uint width, cl_uint height) const = 0;
-    virtual size_t bytes(const rsh_levels& levels) const = 0;
-    virtual Layout scratch(const Context& context, const rsh_levels& levels) const = 0;
+    virtual ray_levels levels(cl_uint width, cl_uint height) const = 0;
+    virtual size_t bytes(const ray_levels& levels) const = 0;
+    virtual Layout scratch(const Context& context, const ray_levels& levels) const = 0;
     virtual void build(Recorder& recorder, const rsh_build_desc& desc) const = 0;
 };
 

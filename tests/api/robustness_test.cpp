@@ -49,7 +49,7 @@ public:
     std::vector<rsh_hit> hits() const { return valid_.hits.read(); }
 
     rsh_traverse_desc desc = {};
-    rsh_levels levels = {};
+    ray_levels levels = {};
 
 private:
     const test::ValidCalls valid_;

@@ -180,7 +180,7 @@ void expect_permutation(std::vector<uint32_t> numbers) {
 void expect_contains_all(const Rays& rays, bool converging) {
     const auto built = test::build_nodes(rays, RSH_SHAPE_BOX, converging);
     const auto tiles = test::nodes_of<box_node16>(built);
-    const rsh_levels& l = built.levels;
+    const ray_levels& l = built.levels;
     ASSERT_EQ(l.count, 2u);
     const test::RayOrder order = test::ray_order(built);
     expect_permutation(order.rays);

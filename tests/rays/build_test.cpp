@@ -1,5 +1,5 @@
 // build_test.cpp - every stored cone contains every active ray below it; the shape is the one
-// that rsh_levels describes.
+// that ray_levels describes.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -36,7 +36,7 @@ using test::Rays;
 
 void expect_contains_all(const Rays& rays) {
     const Hierarchy h = test::build(rays);
-    const rsh_levels& l = h.levels;
+    const ray_levels& l = h.levels;
     ASSERT_EQ(h.quads.size(), l.first_child_group[l.count]);
     for (uint32_t level = 0; level < l.count; ++level)
         for (uint32_t parent = 0; parent < l.width[level + 1] * l.height[level + 1]; ++parent)
@@ -54,7 +54,7 @@ void expect_contains_all(const Rays& rays) {
 }
 
 void expect_levels(uint32_t width, uint32_t height) {
-    const rsh_levels l = rsh::cone_levels(width, height);
+    const ray_levels l = rsh::cone_levels(width, height);
 
     // One column is a list as well: its rays lie in a row.
     const bool is_list = std::min(width, height) <= 1;

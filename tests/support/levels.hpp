@@ -10,14 +10,14 @@
 namespace test {
 
 // Rays along one side of a node of `level`.
-inline uint64_t side_of(const rsh_levels& levels, uint32_t level) {
+inline uint64_t side_of(const ray_levels& levels, uint32_t level) {
     uint64_t side = 1;
     for (uint32_t l = 0; l < level; ++l) side *= levels.branching;
     return side;
 }
 
 // The rays below node (x, y) of `level`; a list has y = 0.
-inline std::vector<size_t> rays_below(const rsh_levels& levels, uint32_t level, uint32_t x,
+inline std::vector<size_t> rays_below(const ray_levels& levels, uint32_t level, uint32_t x,
                                       uint32_t y) {
     std::vector<size_t> rays;
     const uint64_t side = side_of(levels, level);
@@ -30,7 +30,7 @@ inline std::vector<size_t> rays_below(const rsh_levels& levels, uint32_t level, 
 }
 
 // Index of child k of node `parent` of level + 1; -1: outside of the level.
-inline int64_t child_of(const rsh_levels& levels, uint32_t level, uint32_t parent, uint32_t k,
+inline int64_t child_of(const ray_levels& levels, uint32_t level, uint32_t parent, uint32_t k,
                         uint32_t* x, uint32_t* y) {
     const uint32_t branching = levels.branching, above = levels.width[level + 1];
     *x = levels.is_list ? branching * branching * parent + k

@@ -145,7 +145,7 @@ BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging) {
 }
 
 RayOrder ray_order(const BuiltNodes& built) {
-    const rsh_levels& l = built.levels;
+    const ray_levels& l = built.levels;
     const size_t tiles = size_t(l.width[2]) * l.height[2],
                  count = size_t(l.width[0]) * l.height[0];
     RayOrder order = {false, std::vector<uint32_t>(count)};

@@ -29,7 +29,7 @@ private:
 };
 
 struct Hierarchy {
-    rsh_levels levels;
+    ray_levels levels;
     std::vector<cone_node4> quads;
 };
 
@@ -38,7 +38,7 @@ Hierarchy build(const Rays& rays);
 
 // rsh_build with any bound, read back; `nodes` as they lie in memory.
 struct BuiltNodes {
-    rsh_levels levels;
+    ray_levels levels;
     std::vector<uint8_t> bytes;
 };
 BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging);
@@ -51,7 +51,7 @@ std::vector<Node> nodes_of(const BuiltNodes& built) {
     return nodes;
 }
 
-// Of the bound `box`: the rays by their places, see rsh_levels.
+// Of the bound `box`: the rays by their places, see ray_levels.
 struct RayOrder {
     bool is_sorted;
     std::vector<uint32_t> rays;

@@ -35,8 +35,8 @@ TEST(Statistics, OfTilesCountPast32Bits) {
     const Traversal traversal(RSH_ENGINE_TILES);
     const test::OwnContext plain;
     const test::ChangedKernels many("traverse/tiles/traverse_tiles.cl",
-                                    "work->node_tests = work->ray_tests = 0;",
-                                    "work->node_tests = work->ray_tests = 0x90000001u;");
+                                    "state->node_tests = state->ray_tests = 0;",
+                                    "state->node_tests = state->ray_tests = 0x90000001u;");
     const rsh_statistics expected = traversal.count(plain.get());
     const rsh_statistics actual = traversal.count(many.context());
     const cl_ulong tiles = 4 * 2;
@@ -48,9 +48,9 @@ TEST(Statistics, OfTilesCountPast32Bits) {
 TEST(Statistics, OfRunsCountPast32Bits) {
     const Traversal traversal(RSH_ENGINE_PAPER);
     const test::OwnContext plain;
-    const test::ChangedKernels many("traverse/paper/intersect_runs.cl",
-                                    "RSH_TALLY_FINISHED, run.count)",
-                                    "RSH_TALLY_FINISHED, 0x90000001ul + run.count)");
+    const test::ChangedKernels many("traverse/paper/intersect_ranges.cl",
+                                    "RSH_TALLY_FINISHED, range.count)",
+                                    "RSH_TALLY_FINISHED, 0x90000001ul + range.count)");
     const cl_ulong more =
         traversal.count(many.context()).node_tests - traversal.count(plain.get()).node_tests;
     EXPECT_EQ(more % (16 * kMany), 0u);

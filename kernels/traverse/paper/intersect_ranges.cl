@@ -22,7 +22,7 @@ __kernel void rsh_intersect_ranges_clear(__global const rsh_ray* rays, uint coun
 }
 
 /* A work-item takes the blocks of a tile. */
-__kernel void rsh_intersect_ranges(rsh_levels shape, mesh_view mesh,
+__kernel void rsh_intersect_ranges(ray_levels shape, mesh_view mesh,
                                    __global const float* vertices, __global const uint* indices,
                                    __global const rsh_ray* rays, __global const float* bounds,
                                    __global const float* nodes, __global const uint* triangles,
@@ -31,7 +31,7 @@ __kernel void rsh_intersect_ranges(rsh_levels shape, mesh_view mesh,
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const range_target target = {mesh, vertices,  indices,       rays,
                                  hits, occlusion, occlusion_bit, bounds};
     const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
@@ -76,7 +76,7 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
  * ancestor's triangles against the blocks of the tile, then against their rays. Levels in
  * between are skipped. nodes: those of rsh_build. */
 __kernel void rsh_intersect_ranges_finish(
-    rsh_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
+    ray_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
     __global const uint* indices, __global const rsh_ray* rays, __global const float* bounds,
     __global const float* nodes, __global const uint* triangles, __global const uint2* ranges,
     __global const uint* sums, __global rsh_hit* hits, __global uint* occlusion,
@@ -84,7 +84,7 @@ __kernel void rsh_intersect_ranges_finish(
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;
     const triangle_range range = range_of_parent(step, ranges, ancestor);

@@ -19,7 +19,7 @@
 /* groups: from word first_word of `groups` on. At the root the traversal ends where bounds or
  * nodes are not its own: no triangle meets anything. */
 __kernel void rsh_traverse_ranges_count(
-    range_step step, bvh_layout scene_shape, rsh_levels shape, __global const float* bounds,
+    range_step step, bvh_layout scene_shape, ray_levels shape, __global const float* bounds,
     __global const float* nodes, __global const float* groups, uint first_word,
     volatile __global uint* wrong, __global const uint* triangles, __global const uint2* ranges,
     __global ushort* masks, __global uint* counts, __global uint* sums)
@@ -71,7 +71,7 @@ static void place_children(range_step step, __global const uint* counts, uint me
     }
 }
 
-__kernel void rsh_traverse_ranges_emit(rsh_levels shape, range_step step,
+__kernel void rsh_traverse_ranges_emit(ray_levels shape, range_step step,
                                        __global const uint* triangles,
                                        __global const ushort* masks,
                                        __global const uint* counts, __global const uint* sums,
@@ -80,7 +80,7 @@ __kernel void rsh_traverse_ranges_emit(rsh_levels shape, range_step step,
 {
     const uint me = get_global_id(0);
     if (me >= step.parents * step.slices) return;
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const uint parent = me / step.slices;
     const triangle_range slice =
         slice_of(range_of_parent(step, ranges, parent), me % step.slices, step.slices);

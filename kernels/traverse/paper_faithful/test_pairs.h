@@ -28,7 +28,7 @@ RSH_DEFINE_CONE_SPHERE(quads_meet, float4, int4)
 #endif
 
 /* Lanes 4 i .. 4 i + 3 tell which children of pair i survive: -1, else 0. */
-static void test_pairs(const rsh_levels* levels, uint level, const stream_pair* pairs,
+static void test_pairs(const ray_levels* levels, uint level, const stream_pair* pairs,
                        __global const float4* bounds, __global const uint* nodes, int* survives)
 {
     __global const cone_node4* quads =

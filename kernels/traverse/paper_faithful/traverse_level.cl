@@ -11,7 +11,7 @@
 #include "traverse/paper_faithful/test_pairs.h"
 #include "traverse/wrong_buffers.h"
 
-static void write_children(const rsh_levels* levels, uint level, stream_pair pair,
+static void write_children(const ray_levels* levels, uint level, stream_pair pair,
                            const int* survives, ulong at, __global uint* tested_pairs)
 {
     const uint4 triangle =
@@ -24,7 +24,7 @@ static void write_children(const rsh_levels* levels, uint level, stream_pair pai
 
 /* Pairs first .. first + count - 1, at most RSH_PAIRS of them; the last one fills up the
  * vector. */
-static void test_group(const rsh_levels* levels, uint level, const stream_pair* pairs,
+static void test_group(const ray_levels* levels, uint level, const stream_pair* pairs,
                        uint first, uint count, __global const float4* bounds,
                        __global const uint* nodes, __global uint* tested_pairs)
 {
@@ -36,13 +36,13 @@ static void test_group(const rsh_levels* levels, uint level, const stream_pair* 
 
 static uint group_count(uint count) { return count / RSH_PAIRS + (count % RSH_PAIRS != 0); }
 
-__kernel void rsh_traverse_level(rsh_levels shape, uint level, uint limit,
+__kernel void rsh_traverse_level(ray_levels shape, uint level, uint limit,
                                  __global const float4* bounds, __global const uint* nodes,
                                  __global const stream_pair* pairs,
                                  __global const uint* pair_count, __global uint* tested_pairs,
                                  __global uint* tested_count)
 {
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const uint count = min(pair_count[level + 1], limit);
     if (get_global_id(0) == 0) *tested_count = 4 * count;
     const strided_range mine = my_elements(group_count(count));
@@ -57,13 +57,13 @@ __kernel void rsh_traverse_level(rsh_levels shape, uint level, uint limit,
 
 /* The same at the root: pair i is (first + i, root). None at all where bounds or nodes are not
  * those of this traversal. */
-__kernel void rsh_traverse_level_root(rsh_levels shape, uint level, uint first_triangle,
+__kernel void rsh_traverse_level_root(ray_levels shape, uint level, uint first_triangle,
                                       uint count, __global const float4* bounds,
                                       __global const uint* nodes, __global uint* tested_pairs,
                                       __global uint* tested_count, uint triangles,
                                       volatile __global uint* wrong)
 {
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     if (!are_right(spheres_are_of(triangles, bounds),
                    nodes_are_of(shape, RSH_CONES_MADE, nodes), wrong))
         count = 0;

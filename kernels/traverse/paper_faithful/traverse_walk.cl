@@ -32,7 +32,7 @@ static void add_pair(const hit_target* target, walk_lists* walk, uint level, str
 }
 
 /* Tests up to RSH_PAIRS pairs with nodes of level + 1 and lists the survivors at `level`. */
-static void descend(const hit_target* target, const rsh_levels* levels, uint level,
+static void descend(const hit_target* target, const ray_levels* levels, uint level,
                     const stream_pair* pairs, uint count, __global const float4* bounds,
                     __global const uint* nodes, walk_lists* walk)
 {
@@ -50,7 +50,7 @@ static void descend(const hit_target* target, const rsh_levels* levels, uint lev
 }
 
 /* Empties the lists up to the one at `top`. */
-static void walk_down(const hit_target* target, const rsh_levels* levels, uint top,
+static void walk_down(const hit_target* target, const ray_levels* levels, uint top,
                       __global const float4* bounds, __global const uint* nodes,
                       walk_lists* walk)
 {
@@ -70,14 +70,14 @@ static void walk_down(const hit_target* target, const rsh_levels* levels, uint t
     }
 }
 
-__kernel void rsh_traverse_walk(rsh_levels shape, uint level, uint limit, mesh_view mesh,
+__kernel void rsh_traverse_walk(ray_levels shape, uint level, uint limit, mesh_view mesh,
                                 __global const float* vertices, __global const uint* indices,
                                 __global const rsh_ray* rays, __global const float4* bounds,
                                 __global const uint* nodes, __global const stream_pair* pairs,
                                 __global const uint* pair_count, __global rsh_hit* hits,
                                 __global uint* occlusion, uint occlusion_bit)
 {
-    const rsh_levels levels = shape;
+    const ray_levels levels = shape;
     const hit_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
     const uint total = pair_count[level + 1];
     if (total <= limit) return;

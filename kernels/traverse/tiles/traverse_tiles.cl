@@ -192,7 +192,7 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
     }
 }
 
-__kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, rsh_levels shape,
+__kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, ray_levels shape,
                                  __global const rsh_ray* rays, __global const float* nodes,
                                  __global rsh_hit* hits, __global uint* occlusion,
                                  uint occlusion_bit, uint is_counting, __global uint* counts,

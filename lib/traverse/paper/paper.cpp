@@ -21,11 +21,11 @@ constexpr size_t kDefaultBytes = 40;  // per ray and per triangle
 // bring.
 constexpr cl_uint kMaxSlices = 256;
 
-cl_uint nodes_of(const rsh_levels& levels, cl_uint level) {
+cl_uint nodes_of(const ray_levels& levels, cl_uint level) {
     return static_cast<cl_uint>(node_count(levels, level));
 }
 
-cl_uint slices_of(const Context& context, const rsh_levels& levels, cl_uint level) {
+cl_uint slices_of(const Context& context, const ray_levels& levels, cl_uint level) {
     const cl_uint wanted = context.vector_width > 1 ? 32 * context.caps.compute_units : 4096;
     const cl_uint parents = std::max(nodes_of(levels, level + 1), 1u);
     return std::clamp(wanted / parents, 1u, kMaxSlices);
@@ -37,7 +37,7 @@ cl_uint names_of(const rsh_traverse_desc& desc) {
 }
 
 // Triangles that a level can hold; never more than the scene can make.
-cl_uint capacity_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
+cl_uint capacity_of(const rsh_traverse_desc& desc, const ray_levels& levels) {
     const cl_ulong triangles = names_of(desc);
     const cl_ulong usual =
         kDefaultBytes * (ray_count(desc.width, desc.height) + triangles) + RSH_MIN_BUDGET;
@@ -46,14 +46,14 @@ cl_uint capacity_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
     return static_cast<cl_uint>(std::min({budget / kBytesPerTriangle, possible, kMaxCapacity}));
 }
 
-bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles,
+bool can_overflow(const ray_levels& levels, cl_uint level, cl_uint triangles,
                   cl_uint capacity) {
     return triangles * node_count(levels, level) > capacity;
 }
 
 // A batch starts as a quarter of what a level can hold: streams grow on their way down, and
 // what outgrows them is finished otherwise.
-cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
+cl_uint batch_triangles(const rsh_traverse_desc& desc, const ray_levels& levels,
                         cl_uint capacity) {
     const cl_uint all = names_of(desc);
     if (!can_overflow(levels, 1, all, capacity)) return all;
@@ -61,7 +61,7 @@ cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
 }
 
 // The ranges of level 1 stand first.
-cl_uint first_range(const rsh_levels& levels, cl_uint level) {
+cl_uint first_range(const ray_levels& levels, cl_uint level) {
     cl_uint first = 0;
     for (cl_uint l = 1; l < level; ++l) first += nodes_of(levels, l);
     return first;
@@ -153,7 +153,7 @@ private:
 
     Recorder& recorder_;
     rsh_traverse_desc desc_;
-    rsh_levels shape_;
+    ray_levels shape_;
     Scratch scratch_;
     RangeStreams streams_;
 };
@@ -162,7 +162,7 @@ private:
 
 Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
                       BoundsFrom from) const {
-    const rsh_levels shape = group_levels(desc.width, desc.height);
+    const ray_levels shape = group_levels(desc.width, desc.height);
     const cl_uint capacity = capacity_of(desc, shape);
     size_t slices = 0;
     for (cl_uint level = 1; level < shape.count; ++level)

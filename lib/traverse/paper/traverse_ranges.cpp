@@ -70,7 +70,7 @@ void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
 }
 
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
-                      const rsh_levels& shape, const RangeStreams& streams) {
+                      const ray_levels& shape, const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges"),
                     recorder.serial_range(node_count(shape, 2)), shape, mesh_view_of(geometry),
@@ -79,7 +79,7 @@ void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
                     occlusion_mask(desc));
 }
 
-void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper) {
+void join_boxes(Recorder& recorder, const ray_levels& shape, cl_mem tiles, cl_mem upper) {
     const cl_uint first = shape.first_child_group[2];
     for (cl_uint level = 2; level < shape.count; ++level)
         recorder.launch(RSH_STAGE_BUILD, paper_kernel("rsh_join_boxes"),

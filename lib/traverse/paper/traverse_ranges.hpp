@@ -20,7 +20,7 @@ struct RangeStreams {
 };
 
 struct RangeLevel {
-    rsh_levels shape;
+    ray_levels shape;
     range_step step;
     cl_mem groups;       // the children of step.first_child_group and on ...
     cl_uint first_word;  // ... from this word on
@@ -38,10 +38,10 @@ void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const Rang
 void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc);
 // The ranges of level 1, that is, of the blocks.
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
-                      const rsh_levels& shape, const RangeStreams& streams);
+                      const ray_levels& shape, const RangeStreams& streams);
 
 // Nodes of shape `box` above the blocks, into `upper`: one box_node16 after the other, the
 // first ones of tiles, the last one of the root's children.
-void join_boxes(Recorder& recorder, const rsh_levels& shape, cl_mem tiles, cl_mem upper);
+void join_boxes(Recorder& recorder, const ray_levels& shape, cl_mem tiles, cl_mem upper);
 
 }  // namespace rsh

@@ -17,13 +17,13 @@ constexpr size_t kBytesPerTest = 8 * sizeof(stream_pair);
 // Its four tested pairs are counted in 32 bits.
 constexpr cl_ulong kMaxLimit = (1u << 29) - 1;
 
-rsh_levels cone_levels(const rsh_traverse_desc& desc) {
+ray_levels cone_levels(const rsh_traverse_desc& desc) {
     return find_shape(RSH_SHAPE_CONE).levels(desc.width, desc.height);
 }
 
 // Pairs that a level can test. Never more than the scene can make: one per triangle and node of
 // level 1, the finest that is tested.
-cl_uint limit_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
+cl_uint limit_of(const rsh_traverse_desc& desc, const ray_levels& levels) {
     const size_t budget = desc.budget ? desc.budget : kDefaultBudget;
     const cl_ulong finest = cl_ulong{levels.width[1]} * levels.height[1];
     const cl_ulong possible = std::max<cl_ulong>(1, desc.geometry.triangle_count * finest);
@@ -32,14 +32,14 @@ cl_uint limit_of(const rsh_traverse_desc& desc, const rsh_levels& levels) {
 }
 
 // The stream at a level holds at most a batch times the level's nodes.
-bool can_overflow(const rsh_levels& levels, cl_uint level, cl_uint triangles, cl_uint limit) {
+bool can_overflow(const ray_levels& levels, cl_uint level, cl_uint triangles, cl_uint limit) {
     const cl_ulong nodes = cl_ulong{levels.width[level]} * levels.height[level];
     return triangles * nodes > limit;
 }
 
 // A batch starts as a quarter of what a level can test: streams grow on their way down, and
 // what outgrows the limit is walked depth first.
-cl_uint batch_triangles(const rsh_traverse_desc& desc, const rsh_levels& levels,
+cl_uint batch_triangles(const rsh_traverse_desc& desc, const ray_levels& levels,
                         cl_uint limit) {
     const cl_uint all = desc.geometry.triangle_count;
     if (!can_overflow(levels, 1, all, limit)) return all;
@@ -61,7 +61,7 @@ ReduceStream survivors(const PairStreams& streams, cl_uint level) {
 }
 
 // counts[l] is the length of the stream at level l; what no level tests first is known by size.
-void count_statistics(Recorder& recorder, const rsh_levels& levels, const PairStreams& streams,
+void count_statistics(Recorder& recorder, const ray_levels& levels, const PairStreams& streams,
                       const Batch& batch) {
     if (!recorder.context().statistics.enabled()) return;
     const cl_uint limit = streams.limit, count = levels.count;
@@ -127,7 +127,7 @@ private:
 
     Recorder& recorder_;
     rsh_traverse_desc desc_;
-    rsh_levels levels_;
+    ray_levels levels_;
     const Strategy& strategy_;
     Scratch scratch_;
     PairStreams streams_;
@@ -141,7 +141,7 @@ cl_uint PaperFaithful::longest_stream(const rsh_traverse_desc& desc) const {
 
 Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& desc,
                               BoundsFrom from) const {
-    const rsh_levels levels = cone_levels(desc);
+    const ray_levels levels = cone_levels(desc);
     const cl_uint limit = limit_of(desc, levels);
     Layout layout(context.caps.alignment);
     layout.add_array<stream_pair>("pairs", size_t{4} * limit);

@@ -5,7 +5,7 @@
 
 namespace rsh {
 
-void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                const PairStreams& streams, const Batch& batch) {
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level_root"},
                     recorder.stream_range(), levels, levels.count - 1, batch.first_triangle,
@@ -14,7 +14,7 @@ void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_leve
                     recorder.wrong_buffers());
 }
 
-void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                 cl_uint level, const PairStreams& streams) {
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level"},
                     recorder.stream_range(), levels, level, streams.limit, desc.bounds,
@@ -22,7 +22,7 @@ void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_lev
                     streams.tested_count);
 }
 
-void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                 cl_uint level, const PairStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_walk"},

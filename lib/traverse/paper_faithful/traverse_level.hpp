@@ -25,12 +25,12 @@ struct Batch {
 };
 
 // Children at `level` of the pairs at level + 1.
-void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                const PairStreams& streams, const Batch& batch);
-void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                 cl_uint level, const PairStreams& streams);
 // Finishes the pairs at level + 1 beyond the limit.
-void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const rsh_levels& levels,
+void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                 cl_uint level, const PairStreams& streams);
 
 }  // namespace rsh

@@ -36,7 +36,7 @@ void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
     const bool is_counting = context.statistics.enabled();
     report_progress(desc, 0, 1);
     if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCountWords * 4);
-    const rsh_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
+    const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
                     recorder.serial_range(node_count(shape, 2)),
                     bvh_layout_of(desc.geometry.triangle_count), bounds, shape, desc.rays,

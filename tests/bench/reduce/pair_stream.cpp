@@ -35,7 +35,7 @@ public:
         bound();
     }
 
-    const rsh_levels& levels() const { return levels_; }
+    const ray_levels& levels() const { return levels_; }
     cl_uint triangle_count() const { return scene_.geometry().triangle_count; }
 
     // Child k of a node of level + 1, as the cone-sphere test of kernels/cone_sphere.h sees it.
@@ -98,7 +98,7 @@ private:
     FrameScene frame_;
     SceneOnDevice scene_;
     RayMaker rays_;
-    rsh_levels levels_{};
+    ray_levels levels_{};
     cl::Buffer nodes_;
     std::vector<cone_node4> quads_;
     std::vector<cl_float4> spheres_;
@@ -128,7 +128,7 @@ rsh_statistics Hierarchy::count() const {
     return statistics;
 }
 
-cl_uint child_of(const rsh_levels& levels, cl_uint level, cl_uint parent, int k) {
+cl_uint child_of(const ray_levels& levels, cl_uint level, cl_uint parent, int k) {
     const cl_uint x = parent % levels.width[level + 1], y = parent / levels.width[level + 1];
     return (2 * y + cl_uint(k >> 1)) * levels.width[level] + 2 * x + cl_uint(k & 1);
 }
