@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "support/compare.hpp"
-#include "support/render.hpp"
+#include "support/kept_frames.hpp"
 #include "support/ways.hpp"
 
 namespace {
@@ -103,33 +103,6 @@ test::Scene mirrors(const Mesh& mesh) {
     return scene;
 }
 
-// As a renderer does it: the first frame's bounds are made to be kept, those of the others are
-// updates.
-class KeptFrames {
-public:
-    KeptFrames(cl_uint engine, const Mesh& largest)
-        : bounds_(bounds_bytes(bound_desc(DeviceMesh(largest).geometry(),
-                                          rsh_engine_shape(engine), RSH_BOUND_QUALITY))) {
-        options_.engine = engine;
-        options_.bounds = bounds_.get();
-        options_.update = RSH_BOUND_QUALITY;
-    }
-
-    std::vector<cl_float4> render(const test::DeviceScene& scene, test::FrameOptions options) {
-        options.engine = options_.engine;
-        options.bounds = options_.bounds;
-        options.update = options_.update;
-        options_.update = RSH_BOUND_REFIT;
-        const auto pixels = test::frame(scene, options);
-        EXPECT_TRUE(bounds_.guards_intact());
-        return pixels;
-    }
-
-private:
-    test::Buffer<uint8_t> bounds_;
-    test::FrameOptions options_;
-};
-
 TEST(Recount, LeavesThePixelsOfBruteForce) {
     test::FrameOptions options;
     options.width = options.height = test::small() ? 12 : 40;
@@ -139,16 +112,16 @@ TEST(Recount, LeavesThePixelsOfBruteForce) {
         SCOPED_TRACE(text_of(counts));
         test::Random random(61);
         const Mesh mesh = soup_for(counts, random);
-        std::map<std::string, KeptFrames> kept;
-        for (cl_uint engine = 1; rsh_engine_name(engine); ++engine)
-            if (engine != RSH_ENGINE_BRUTE_FORCE)
-                kept.try_emplace(rsh_engine_name(engine), engine, mesh);
+        const DeviceMesh largest(mesh);
+        std::map<cl_uint, test::KeptFrames> kept;
+        for (const test::TraceOptions& way : test::all_ways())
+            kept.try_emplace(way.engine, way.engine, largest.geometry());
         for (const uint32_t count : counts) {
             const test::DeviceScene scene(mirrors(first_of(mesh, count)));
             const auto expected = test::frame(scene, options);
             for (auto& [engine, frames] : kept)
                 EXPECT_TRUE(test::same_bits(frames.render(scene, options), expected, "pixels"))
-                    << engine << ", frame of " << count;
+                    << rsh_engine_name(engine) << ", frame of " << count;
         }
     }
 }

@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "support/compare.hpp"
+#include "support/kept_frames.hpp"
 #include "support/render.hpp"
 #include "support/strategies.hpp"
-#include "support/trace.hpp"
+#include "support/ways.hpp"
 
 namespace {
 
@@ -156,27 +157,28 @@ TEST(Frame, GivesTheSameBytesTwiceInAnySize) {
     }
 }
 
-TEST(Frame, GivesTheSameBytesWithBoundsThatItUpdates) {
-    const test::DeviceScene scene(test::gallery());
-    FrameOptions options = sized(72, 56, 2);
-    const auto expected = test::frame(scene, options);
-    rsh_bound_desc bound = {};
-    bound.struct_size = sizeof bound;
-    bound.geometry = scene.desc.geometry;
-    bound.shape = RSH_SHAPE_BOX;
-    rsh_sizes sizes = {};
-    sizes.struct_size = sizeof sizes;
-    RSH_CHECK(rsh_bound_query(test::device().rsh, &bound, &sizes));
-    const test::Buffer<uint8_t> bounds(sizes.output_bytes);
-    options.bounds = bounds.get();
-    for (options.update = 0; options.update <= 1; ++options.update)
-        for (const bool own_scratch : {false, true}) {
-            options.own_scratch = own_scratch;
-            EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
-                << "update " << options.update;
-            EXPECT_TRUE(bounds.guards_intact());
-            EXPECT_FALSE(bounds.untouched());
+// Every vertex by its own step. Seldom far enough for bounds to be made anew.
+Scene moved(Scene scene, float step, uint64_t salt) {
+    test::Random random(salt);
+    for (test::Float3& v : scene.mesh.vertices) v = v + step * random.direction();
+    return scene;
+}
+
+TEST(Frame, GivesTheSameBytesWithBoundsThatItRefits) {
+    const FrameOptions options = sized(72, 56, 2);
+    const test::DeviceScene first(test::gallery());
+    for (const test::TraceOptions& way : test::all_ways()) {
+        SCOPED_TRACE(name_of(way));
+        test::KeptFrames kept(way.engine, first.desc.geometry);
+        for (const float step : {0.0f, 0.0f, 0.002f, 0.02f, 0.5f, 0.0f}) {
+            const test::DeviceScene scene(moved(test::gallery(), step, 40));
+            FrameOptions own = options;
+            own.own_scratch = step > 0;
+            EXPECT_TRUE(
+                test::same_bits(kept.render(scene, own), test::frame(scene, options), "pixels"))
+                << "step " << step;
         }
+    }
 }
 
 TEST(Frame, GivesTheSameBytesWithEveryEngineStrategyAndBudget) {
