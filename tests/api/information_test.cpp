@@ -45,6 +45,7 @@ void expect_round_trip(Name name, FromName from_name, cl_uint first, cl_uint las
     EXPECT_EQ(value, 99u);
 }
 
+// The last values of the header, by hand: all other tests go by the names that there are.
 TEST(Names, OfStrategiesEnginesAndBoundsGoBothWays) {
     expect_round_trip(rsh_strategy_name, rsh_strategy_from_name, RSH_STRATEGY_CHUNK,
                       RSH_STRATEGY_BLELLOCH);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "api/valid_calls.hpp"
+#include "support/ways.hpp"
 
 namespace {
 
@@ -250,10 +251,10 @@ TEST_F(Misuse, OfTraverseIsRefused) {
                   RSH_INVALID_VALUE, {"shape", "cone", "box", "tiles"});
     refuses<Desc>(desc, [](Desc& d) { d.shape = 77, d.engine = RSH_ENGINE_DEFAULT; },
                   RSH_INVALID_VALUE, {"shape", "77"});
-    for (const cl_uint engine : {RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_TILES}) {
+    for (const test::TraceOptions& way : test::all_ways()) {
         Desc with_engine = desc;
-        with_engine.engine = engine;
-        with_engine.shape = rsh_engine_shape(engine);
+        with_engine.engine = way.engine;
+        with_engine.shape = way.bound;
         refuses<Desc>(with_engine, [](Desc&) {}, RSH_INVALID_VALUE, {"nodes", "NULL"});
         refuses<Desc>(with_engine, [&](Desc& d) { d.bounds = short_.get(); },
                       RSH_BUFFER_TOO_SMALL, {"bounds", "4"});

@@ -6,7 +6,7 @@
 
 #include "support/compare.hpp"
 #include "support/scene.hpp"
-#include "support/trace.hpp"
+#include "support/ways.hpp"
 
 namespace {
 
@@ -85,14 +85,10 @@ void expect_same_as_tracing(const Mesh& mesh, const View& v, size_t budget = 0,
     const test::DeviceMesh on_device(mesh);
     const Raster raster = rasterize(on_device, v, budget, own_scratch);
     expect_rays_of(v, raster.rays);
-    for (const cl_uint engine :
-         {RSH_ENGINE_TILES, RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_BRUTE_FORCE}) {
-        test::TraceOptions options;
-        options.engine = engine;
+    for (const test::TraceOptions& options : test::brute_force_and_all_ways())
         EXPECT_TRUE(
             test::same_bits(raster.hits, closest_hits(on_device, raster.rays, options), "hits"))
-            << "against " << rsh_engine_name(engine);
-    }
+            << "against " << name_of(options);
 }
 
 uint32_t side(uint32_t full) {

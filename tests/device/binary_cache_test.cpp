@@ -144,6 +144,7 @@ TEST_F(BinaryCacheTest, EvictsItsOwnTemporaryFilesAfterAnHour) {
 TEST_F(BinaryCacheTest, LeavesNoTemporaryFileBehind) {
     cache().store("key", kBinary);
     cache().was_wanted("kez");
+    EXPECT_FALSE(fs::is_empty(folder_ / "made"));
     for (const auto& entry : fs::directory_iterator(folder_ / "made"))
         EXPECT_EQ(entry.path().extension(), ".rshbin") << entry.path();
 }

@@ -144,4 +144,10 @@ const std::vector<NamedCase>& all_cases() {
     return cases;
 }
 
+const NamedCase& case_of_name(const std::string& name) {
+    for (const NamedCase& named : all_cases())
+        if (named.name == name) return named;
+    throw std::logic_error("there is no case " + name);
+}
+
 }  // namespace test

@@ -31,6 +31,7 @@ inline void PrintTo(const NamedCase& named, std::ostream* out) {
 }
 
 const std::vector<NamedCase>& all_cases();
+const NamedCase& case_of_name(const std::string& name);  // throws
 
 // For INSTANTIATE_TEST_SUITE_P.
 inline std::string case_name(const ::testing::TestParamInfo<NamedCase>& info) {

@@ -7,12 +7,14 @@
 
 #include <rsh/rsh.h>
 
+#include "support/not_empty.hpp"
+
 namespace test {
 
 inline std::vector<cl_uint> all_strategies() {
     std::vector<cl_uint> all;
     for (cl_uint id = 1; rsh_strategy_name(id); ++id) all.push_back(id);
-    return all;
+    return not_empty(all, "strategies");
 }
 
 // "default" or its name.

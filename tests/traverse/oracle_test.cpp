@@ -6,7 +6,7 @@
 #include "oracle/closest.hpp"
 #include "support/cases.hpp"
 #include "support/compare.hpp"
-#include "support/trace.hpp"
+#include "support/ways.hpp"
 
 namespace {
 
@@ -51,14 +51,11 @@ void expect_no_leak(const test::Mesh& mesh, test::Float3 eye, uint64_t salt) {
     test::Rays rays = {{}, side, side};
     for (uint32_t i = 0; i < side * side; ++i)
         rays.rays.push_back(test::make_ray(eye, test::point_on_edge(random, mesh) - eye));
-    for (const cl_uint engine :
-         {RSH_ENGINE_TILES, RSH_ENGINE_PAPER_FAITHFUL, RSH_ENGINE_BRUTE_FORCE}) {
-        test::TraceOptions options;
-        options.engine = engine;
+    for (const test::TraceOptions& options : test::brute_force_and_all_ways()) {
         const auto hits = closest_hits(DeviceMesh(mesh), rays, options);
         for (size_t i = 0; i < hits.size(); ++i)
             ASSERT_NE(hits[i].primitive, RSH_NO_HIT)
-                << rsh_engine_name(engine) << ": ray " << i << " " << rays.rays[i] << " leaks";
+                << name_of(options) << ": ray " << i << " " << rays.rays[i] << " leaks";
     }
 }
 

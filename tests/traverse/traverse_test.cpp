@@ -14,6 +14,7 @@
 namespace {
 
 using test::brute_force;
+using test::brute_force_and_all_ways;
 using test::Case;
 using test::DeviceMesh;
 using test::TraceOptions;
@@ -24,12 +25,6 @@ TraceOptions paper(cl_uint strategy, size_t budget = 0) {
     options.strategy = strategy;
     options.budget = budget;
     return options;
-}
-
-std::vector<TraceOptions> brute_force_and_all_ways() {
-    std::vector<TraceOptions> all = test::all_ways();
-    all.push_back(brute_force());
-    return all;
 }
 
 // Other bits must survive, so they start as noise.
@@ -101,9 +96,8 @@ INSTANTIATE_TEST_SUITE_P(All, Traverse,
 // What a strategy can get wrong is the stream's affair, not the scene's.
 std::vector<test::NamedCase> some_cases() {
     std::vector<test::NamedCase> some;
-    for (const test::NamedCase& c : test::all_cases())
-        if (c.name == "Reflected" || c.name == "RandomList" || c.name == "Degenerate")
-            some.push_back(c);
+    for (const char* name : {"Reflected", "RandomList", "Degenerate"})
+        some.push_back(test::case_of_name(name));
     return some;
 }
 
@@ -154,8 +148,7 @@ INSTANTIATE_TEST_SUITE_P(All, Overflow, ::testing::ValuesIn(test::all_strategies
                          });
 
 TEST(OverflowOfRuns, LosesNoPairWhenStreamsAreFull) {
-    for (const TraceOptions& way : test::all_ways()) {
-        if (way.engine != RSH_ENGINE_PAPER) continue;
+    for (const TraceOptions& way : test::ways_of(RSH_ENGINE_PAPER)) {
         SCOPED_TRACE(name_of(way));
         expect_no_pair_lost(way, sizeof(cl_uint));
     }

@@ -54,14 +54,17 @@ TEST(Room, HasNoTriangleWithoutAreaAndEveryNormalIsUnit) {
             glm::cross(model.mesh.positions[t.y] - a, model.mesh.positions[t.z] - a);
         ASSERT_GT(glm::length(n), 0.0f) << "triangle " << i;
     }
+    ASSERT_FALSE(model.mesh.normals.empty());
     for (const glm::vec3& normal : model.mesh.normals)
         ASSERT_NEAR(glm::length(normal), 1.0f, 1e-4f);
 }
 
 TEST(Room, OnlyItsMirrorsReflect) {
-    for (const render::Material& m : room(5000, false, false, false).materials)
-        EXPECT_TRUE(m.reflection == glm::vec3(0) || m.name == "mirror") << m.name;
     const Model none = room(5000, false, false, false);
+    ASSERT_FALSE(none.materials.empty());
+    for (const render::Material& m : none.materials)
+        EXPECT_TRUE(m.reflection == glm::vec3(0) || m.name == "mirror") << m.name;
+    ASSERT_FALSE(none.mesh.material_ids.empty());
     for (const uint32_t id : none.mesh.material_ids)
         ASSERT_NE(none.materials[id].name, "mirror");
 }
