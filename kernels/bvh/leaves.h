@@ -184,10 +184,8 @@ static void store_corners(const corner_rows* corners, __global float* leaf)
 /* Asks for the cache lines of a leaf that will be written soon. */
 static void expect_stores(__global const float* leaf)
 {
-#ifdef RSH_EXPECT_STORE
 #pragma unroll
     for (uint i = 0; i < 10; ++i) RSH_EXPECT_STORE(leaf + 16 * i);
-#endif
 }
 
 /* Pads a box as rays/box_node.h derives. side: low x y z, high x y z. */

@@ -23,7 +23,7 @@ __kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort
         RSH_RANGE_NODE_COST * leaf_surface_of(samples, sample_count, layout.triangles);
     const node_range nodes =
         nodes_above_parts(&layout, RSH_MEAN_RANGE * node_cost, bvh, child_boxes);
-    *head_of(bvh) = (bvh_head){RSH_BVH_MADE, layout, nodes};
+    *head_of(bvh) = (bvh_head){RSH_BVH_MADE, layout, nodes, {0}};
 }
 
 /* The tree above the roots of the parts, and the nodes at its top. One work-item: a part has at
@@ -49,17 +49,15 @@ __kernel void rsh_nodes_tree_top(bvh_layout given_layout, __global const sort_pl
     above->first_node = end - 1;
     make_node(&growing, active.number[0], end - 1, bvh);
     make_waiting_nodes(&growing, above, bvh);
-    *head_of(bvh) = (bvh_head){0, layout, {above->first_node, end}};
+    *head_of(bvh) = (bvh_head){0, layout, {above->first_node, end}, {0}};
 }
 
 /* Asks for the cache lines of a part that will be read in no order. */
 static void expect_part(const binary_tree* tree, uint part)
 {
-#ifdef RSH_EXPECT_LOAD
     const uint room = tree->layout.part_leaves, first = part * room;
     for (uint i = 0; i < room; ++i) RSH_EXPECT_LOAD(tree->branches + first + i);
     for (uint i = 0; i < room; i += 2) RSH_EXPECT_LOAD(tree->leaves + first + i);
-#endif
 }
 
 /* A work-item makes the nodes of a part. Afterwards the BVH is complete. */

@@ -66,7 +66,7 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
                                  0xffff, 4)
 #endif
 #if RSH_WIDTH > 1 && __has_builtin(__builtin_prefetch)
-/* Where they are defined: ask for a cache line that will be written, or read. */
+/* Asks for a cache line that will be written, or read. */
 #define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
 #define RSH_EXPECT_LOAD(at) __builtin_prefetch((const void*)(ulong)(at), 0)
 #endif
@@ -75,6 +75,10 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
 #elif RSH_WIDTH == 8 && __has_builtin(__builtin_ia32_movmskps256) && defined(__AVX__)
 #define RSH_LANE_BITS(mask) ((uint)__builtin_ia32_movmskps256(as_float8(mask)))
 #endif
+#endif
+#ifndef RSH_EXPECT_LOAD
+#define RSH_EXPECT_STORE(at) (void)(at)
+#define RSH_EXPECT_LOAD(at) (void)(at)
 #endif
 #ifndef RSH_LANE_BITS
 #define RSH_LANE_BITS(mask) lane_bits_by_tree(mask)

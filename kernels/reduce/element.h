@@ -33,23 +33,21 @@ typedef uint4 element;
 #define store_element(value, i, to) vstore4(value, i, to)
 #endif
 
-/* The first arguments of every kernel that reads a stream. */
+#define RSH_MAYBE_UNUSED __attribute__((unused))
+/* The first arguments of every kernel of a strategy, whether it reads them or not. */
 #define RSH_STREAM                                                                             \
-    __global const uint *input, __global const uchar *flags, __global const uint *input_count, \
-        uint has_input_count, uint count
+    RSH_MAYBE_UNUSED __global const uint *input, RSH_MAYBE_UNUSED __global const uchar *flags, \
+        RSH_MAYBE_UNUSED __global const uint *input_count,                                     \
+        RSH_MAYBE_UNUSED uint has_input_count, RSH_MAYBE_UNUSED uint count
 
 /* Elements in the stream: on the device, or what the host said. */
 #define RSH_LENGTH (has_input_count ? min(*input_count, count) : count)
 
 static uint is_kept(__global const uint* input, __global const uchar* flags, uint i)
 {
-#if RSH_KEEP == 0
-    return flags[i] != 0;
-#elif RSH_KEEP == 1
-    return input[(ulong)RSH_WORDS * i] != RSH_NO_HIT;
-#else
+    if (RSH_KEEP == 0) return flags[i] != 0;
+    if (RSH_KEEP == 1) return input[(ulong)RSH_WORDS * i] != RSH_NO_HIT;
     return flags[i / 8] >> (i % 8) & 1;
-#endif
 }
 
 #endif

@@ -32,20 +32,20 @@ static int16 load_words(__global const uint* input, uint i, uint vector)
 
 static uint kept_lanes(__global const uint* input, __global const uchar* flags, uint i)
 {
-#if RSH_KEEP == 0
-    const char16 is_kept = vload16(0, flags + i) != (uchar16)(0);
-    return (ushort)__builtin_ia32_pmovmskb128(is_kept);
-#elif RSH_KEEP == 1
+    if (RSH_KEEP == 0) {
+        const char16 is_kept = vload16(0, flags + i) != (uchar16)(0);
+        return (ushort)__builtin_ia32_pmovmskb128(is_kept);
+    }
+    if (RSH_KEEP != 1) {
+        const uchar2 bytes = vload2(0, flags + i / 8);
+        return bytes.x | (uint)bytes.y << 8;
+    }
     ulong words = 0;
     for (uint v = 0; v < RSH_WORDS; ++v) {
         const int16 is_kept = load_words(input, i, v) != (int16)(RSH_NO_HIT);
         words |= (ulong)(ushort)__builtin_ia32_cvtd2mask512(is_kept) << 16 * v;
     }
     return (uint)__builtin_ia32_pext_di(words, RSH_FIRST_WORDS);
-#else
-    const uchar2 bytes = vload2(0, flags + i / 8);
-    return bytes.x | (uint)bytes.y << 8;
-#endif
 }
 
 static uint count_range(__global const uint* input, __global const uchar* flags,

@@ -23,7 +23,7 @@ typedef struct light_list {
 static float3 texture_colour(const surface_buffers* buffers, const image_list* images,
                              __global const float* texcoords, rsh_hit hit, uint texture)
 {
-#if RSH_TEXTURE
+    if (!RSH_TEXTURE) return (float3)(1.0f);
     if (texture >= images->texture_count) return (float3)(1.0f);
     uint corner[3];
     triangle_vertices(buffers->mesh, buffers->indices, hit.primitive, corner);
@@ -31,9 +31,6 @@ static float3 texture_colour(const surface_buffers* buffers, const image_list* i
                       hit.u * vload2(corner[1], texcoords) +
                       hit.v * vload2(corner[2], texcoords);
     return sample_image(images, texture, uv, true);
-#else
-    return (float3)(1.0f);
-#endif
 }
 
 /* Blinn 1977: the highlight is where the normal lies halfway between light and viewer. */
@@ -65,12 +62,9 @@ static float3 direct_light(const surface_hit* surface, const light_list* lights,
 static float3 environment_colour(const image_list* images, uint image, float3 plain,
                                  float3 direction)
 {
-#if RSH_ENVIRONMENT_IMAGE
+    if (!RSH_ENVIRONMENT_IMAGE) return plain;
     const float2 uv = direction_to_uv(unit3(direction));
     return plain * sample_image(images, image, uv, false);
-#else
-    return plain;
-#endif
 }
 
 __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,

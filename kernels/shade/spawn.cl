@@ -31,8 +31,8 @@ static bool may_branch(const surface_buffers* buffers, __global const rsh_materi
     if (hit.primitive >= buffers->mesh.triangle_count) return false;
     __global const rsh_material* material = materials + material_of(buffers, hit.primitive);
     if (is_refracted) return transmits(material);
-    return largest3(material->reflection.xyz) > 0.0f ||
-           (RSH_TRANSMISSION && transmits(material));
+    if (RSH_TRANSMISSION && transmits(material)) return true;
+    return largest3(material->reflection.xyz) > 0.0f;
 }
 
 static spawned_branch refracted_branch(const surface_hit* surface,

@@ -114,7 +114,7 @@ def main():
     never = never_used(idle, including)
     for name, function in never:
         print(f"{name}: no program uses {function}")
-    files = {str(path.relative_to(kernels)) for path in kernels.rglob("*.[ch]*")}
+    files = {str(path.relative_to(kernels)) for path in kernels.rglob("*") if path.suffix in (".cl", ".h")}
     absent = sorted(files - including.keys())
     for name in absent:
         print(f"{name}: in no program that a test builds")
