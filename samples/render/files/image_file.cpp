@@ -50,7 +50,7 @@ std::vector<uint8_t> srgb_bytes(const Frame& frame) {
     for (size_t i = 0; i < count; ++i)
         for (int c = 0; c < 3; ++c) {
             const float value = 255.0f * srgb_from_linear(frame.pixels[4 * i + c]);
-            bytes[3 * i + c] = static_cast<uint8_t>(value + 0.5f);
+            bytes[3 * i + c] = static_cast<uint8_t>(std::lround(value));
         }
     return bytes;
 }

@@ -42,7 +42,7 @@ SceneDescription read_one(const std::string& name) {
 }
 
 template <typename T>
-void keep_first(std::optional<T>& merged, std::optional<T>&& next) {
+void keep_first(std::optional<T>& merged, std::optional<T>& next) {
     if (!merged) merged = std::move(next);
 }
 
@@ -51,16 +51,16 @@ void merge(SceneDescription& merged, SceneDescription&& next) {
     if (merged.lights && next.lights)
         merged.lights->insert(merged.lights->end(), next.lights->begin(), next.lights->end());
     else
-        keep_first(merged.lights, std::move(next.lights));
-    keep_first(merged.camera, std::move(next.camera));
-    keep_first(merged.ambient, std::move(next.ambient));
-    keep_first(merged.environment, std::move(next.environment));
-    keep_first(merged.settings.size, std::move(next.settings.size));
-    keep_first(merged.settings.bounces, std::move(next.settings.bounces));
-    keep_first(merged.settings.min_weight, std::move(next.settings.min_weight));
-    keep_first(merged.settings.frames, std::move(next.settings.frames));
-    keep_first(merged.settings.time, std::move(next.settings.time));
-    keep_first(merged.settings.still, std::move(next.settings.still));
+        keep_first(merged.lights, next.lights);
+    keep_first(merged.camera, next.camera);
+    keep_first(merged.ambient, next.ambient);
+    keep_first(merged.environment, next.environment);
+    keep_first(merged.settings.size, next.settings.size);
+    keep_first(merged.settings.bounces, next.settings.bounces);
+    keep_first(merged.settings.min_weight, next.settings.min_weight);
+    keep_first(merged.settings.frames, next.settings.frames);
+    keep_first(merged.settings.time, next.settings.time);
+    keep_first(merged.settings.still, next.settings.still);
 }
 
 nlohmann::json parse_json(const std::string& text, const std::string& file) {
