@@ -19,7 +19,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
         string(APPEND rows "    {\"${name}\", ${symbol}, sizeof ${symbol}},\n")
     endforeach()
     file(WRITE ${OUTPUT} "// Generated from the kernel sources by embed_kernels.cmake.
-#include \"device/cl/kernel_source.hpp\"
+#include \"device/programs/kernel_source.hpp\"
 
 namespace rsh {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <rsh/rsh.h>
 
-#include "device/cl/programs.hpp"
+#include "device/programs/programs.hpp"
 
 namespace rsh {
 

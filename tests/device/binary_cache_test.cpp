@@ -1,6 +1,6 @@
 // binary_cache_test.cpp - programs on disk: what was stored comes back, anything else is as good as
 // nothing, and no failure gets out.
-#include "device/cl/binary_cache.hpp"
+#include "device/programs/binary_cache.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 
 #include "device/cl/device_caps.hpp"
 #include "device/cl/opencl.hpp"
-#include "device/cl/programs.hpp"
 #include "device/cl/scratch_pool.hpp"
 #include "device/cl/statistics_log.hpp"
 #include "device/log.hpp"
+#include "device/programs/programs.hpp"
 
 namespace rsh {
 

@@ -1,4 +1,4 @@
-#include "device/cl/binary_cache.hpp"
+#include "device/programs/binary_cache.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "device/cl/binary_cache.hpp"
 #include "device/cl/device_caps.hpp"
 #include "device/cl/opencl.hpp"
 #include "device/log.hpp"
+#include "device/programs/binary_cache.hpp"
 
 namespace rsh {
 

@@ -1,4 +1,4 @@
-#include "device/cl/kernel_source.hpp"
+#include "device/programs/kernel_source.hpp"
 
 #include <fstream>
 #include <set>

@@ -1,9 +1,9 @@
-#include "device/cl/programs.hpp"
+#include "device/programs/programs.hpp"
 
 #include <chrono>
 
-#include "device/cl/kernel_source.hpp"
 #include "device/error.hpp"
+#include "device/programs/kernel_source.hpp"
 
 namespace rsh {
 namespace {
