@@ -52,18 +52,19 @@ int main(void) {
     rsh_context rsh;
     require(rsh_create_context(&context_desc, &rsh), "rsh_create_context");
 
-    /* The hierarchy is built over the rays; the triangle needs no preparation. The library says
-     * how many bytes it takes, the caller allocates them. */
+    /* The hierarchy over the rays. The library says how many bytes it takes, the caller
+     * allocates them. */
     rsh_build_desc build = {.struct_size = sizeof build};
     build.rays = make_buffer(context, sizeof ray, &ray);
     build.width = 1;
     rsh_sizes sizes = {.struct_size = sizeof sizes};
-    require(rsh_build_query(rsh, &build, &sizes, NULL), "rsh_build_query");
+    require(rsh_build_query(rsh, &build, &sizes), "rsh_build_query");
     build.nodes = make_buffer(context, sizes.output_bytes, NULL);
     require(rsh_build(rsh, queue, &build, 0, NULL, NULL), "rsh_build");
 
-    /* Without indices, three vertices in a row are a triangle. Scratch memory comes from the
-     * context's pool, as `scratch` is NULL. */
+    /* Without indices, three vertices in a row are a triangle. As `bounds` is NULL, the call
+     * makes the scene's BVH itself; rsh_bound makes one that several traversals share. As
+     * `scratch` is NULL, memory for it comes from the context's pool. */
     rsh_traverse_desc traverse = {.struct_size = sizeof traverse};
     traverse.geometry.vertices = make_buffer(context, sizeof vertices, vertices);
     traverse.geometry.vertex_count = 3;
