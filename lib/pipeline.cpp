@@ -2,9 +2,10 @@
 //
 // The paper's five steps: (1) rasterize what the camera sees and spawn secondary rays, (2)
 // build the hierarchy over them, (3) push the triangles down it, (4) intersect and shade, (5)
-// repeat from (2) for the rays that the hits spawn. Each line calls a pass; a pass has a kernel
-// file of the same name; api/rsh.cpp exposes the same passes one by one. Knows no buffer sizes:
-// that is frame/memory.cpp.
+// repeat from (2) for the rays that the hits spawn. With the engine `tiles`, step (3) takes
+// the rays through the scene's BVH16 instead, which `bound` makes or refits. Each line calls a
+// stage, and each stage has a room in lib/ and kernels/; api/rsh.cpp exposes the stages one by
+// one. Knows no buffer sizes: that is frame/memory.cpp.
 #include "pipeline.hpp"
 
 #include "bvh/scene_bounds.hpp"

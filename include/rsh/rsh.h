@@ -33,7 +33,8 @@
  *              nodes were made for another shape, another number of triangles or other rays, or
  *              not at all, the traversal finds no hits, touches nothing else, and leaves a mark
  *              that rsh_device_status and rsh_get_statistics report; rsh_frame, which waits
- *              for the device anyway, returns RSH_INVALID_VALUE. What the caller writes into them afterwards is not found out.
+ *              for the device anyway, returns RSH_INVALID_VALUE. What the caller writes into
+ *              them afterwards is not found out.
  *   Overlap    Memory that a call writes (outputs, scratch) must not overlap other memory that
  *              it reads or writes: RSH_INVALID_VALUE. Sub-buffers are compared by their parent
  *              and range. Members that are marked in/out are one piece of memory.
@@ -187,24 +188,23 @@ typedef struct rsh_statistics {
     cl_ulong programs_built;            /* compiled from source                              */
     cl_ulong programs_loaded;           /* taken from the disk cache                         */
     cl_ulong traversals;
-    cl_ulong batches;                   /* runs of triangles that the traversals worked off  */
+    cl_ulong batches;                   /* ranges of triangles that traversals worked off    */
     cl_ulong pairs_tested[RSH_MAX_LEVELS + 1]; /* (triangle, node) pairs that the streams of
                                                   level l held; [0]: (triangle, ray) pairs   */
     cl_ulong pairs_walked[RSH_MAX_LEVELS + 1]; /* of these, finished depth first because the
                                                   budget was full; what came below them is
                                                   counted nowhere                            */
     cl_ulong peak_pairs;                       /* longest stream that left a reduction       */
-    cl_ulong node_tests;                       /* bounds of triangles, or of runs of them,
-                                                  tested against nodes or single rays        */
+    cl_ulong node_tests;                       /* boxes or spheres of the scene tested against
+                                                  nodes over the rays or single rays         */
     cl_ulong ray_tests;                        /* triangles intersected with rays            */
     cl_ulong active_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: rays per bounce; [0]: pixels with
                                                   a primary hit                              */
     cl_ulong shadow_rays[RSH_MAX_LEVELS + 1];  /* rsh_frame: shadow rays cast at the hits of
                                                   that bounce                                */
     cl_ulong scratch_bytes;                    /* in the context's pool                      */
-    cl_ulong wrong_buffers;                    /* RSH_WRONG_... bits of all traversals         */
+    cl_ulong wrong_buffers;                    /* RSH_WRONG_... bits of all traversals       */
 } rsh_statistics;
-
 
 /* Starts (enabled = 1) or stops counting on this context, from zero. Counting keeps the event
  * of every command and reads counts back; without it, neither happens. Does not wait: what was
@@ -300,7 +300,7 @@ typedef struct rsh_rasterize_desc {
 
 typedef struct rsh_sizes {
     size_t struct_size;
-    size_t output_bytes;  /* of the call's own output: nodes, spheres, ... */
+    size_t output_bytes;  /* of the call's own output: bounds or nodes */
     size_t scratch_bytes;
 } rsh_sizes;
 
@@ -415,29 +415,31 @@ enum {
                                       no bounds and no nodes                                  */
     RSH_ENGINE_TILES = 3,          /* each tile of 256 rays goes through the BVH16 front to back
                                       and stops behind its last hit; shape: box               */
-    RSH_ENGINE_PAPER = 4           /* as paper_faithful, tuned: 16 children at a time, a run of
-                                      triangles per node, survivors counted before they are
-                                      written; shape: box                                     */
+    RSH_ENGINE_PAPER = 4           /* as paper_faithful, tuned: 16 children at a time, a range
+                                      of triangles per node, survivors counted before they
+                                      are written; shape: box                                 */
 };
 
-/* How to reduce a stream; see rsh_reduce. */
+/* How to reduce a stream; see rsh_reduce. Experimental ones are there to be compared with: they can
+ * be named like all others, but auto never picks them. */
 enum {
     RSH_STRATEGY_DEFAULT = 0,      /* RSH_STRATEGY_AUTO */
-    RSH_STRATEGY_CHUNK = 1,        /* one run of elements per work-item, no barrier; stable   */
+    RSH_STRATEGY_CHUNK = 1,        /* a range of elements per work-item, no barrier; stable   */
     RSH_STRATEGY_SCAN_SCATTER = 2, /* prefix sums in work-groups, then scatter; stable        */
     RSH_STRATEGY_AUTO = 3,         /* what suits device, length and density; stable           */
-    RSH_STRATEGY_BLOCK = 4,        /* blocks on their own, then their runs are moved (Roger et
-                                      al. 2007); stable                                       */
-    RSH_STRATEGY_BLOCK_SEARCH = 5, /* the same with the search that stood in for scattering;
-                                      stable                                                  */
+    RSH_STRATEGY_BLOCK = 4,        /* blocks on their own, then their ranges are moved (Roger
+                                      et al. 2007); stable                                    */
+    RSH_STRATEGY_BLOCK_SEARCH = 5, /* experimental: the same with the search that stood in for
+                                      scattering; stable                                      */
     RSH_STRATEGY_ATOMIC = 6,       /* an atomic increment per kept element; any order         */
     RSH_STRATEGY_ATOMIC_GROUP = 7, /* an atomic addition per tile; any order                  */
     RSH_STRATEGY_COUNT_EMIT = 8,   /* a bit per element and counts, then the output; stable   */
     RSH_STRATEGY_LOOKBACK = 9,     /* one pass, each tile asks the ones before it (Merrill and
                                       Garland 2016); stable                                   */
-    RSH_STRATEGY_HORN = 10,        /* log-step prefix sum, search (Horn 2005); stable         */
-    RSH_STRATEGY_BLELLOCH = 11     /* work-efficient prefix sum, scatter (Blelloch 1990);
+    RSH_STRATEGY_HORN = 10,        /* experimental: log-step prefix sum, search (Horn 2005);
                                       stable                                                  */
+    RSH_STRATEGY_BLELLOCH = 11     /* experimental: work-efficient prefix sum, scatter
+                                      (Blelloch 1990); stable                                 */
 };
 
 /* What to find. */
@@ -491,8 +493,8 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          paper: the same with 16 children per node; a level is counted, then written. Nodes
  *          whose survivors do not fit hand their triangles to the tiles of 256 rays below them,
  *          which finish them at once.
- *          tiles: a work-item takes a tile of 256 rays down the boxes of the scene, the nearest
- *          first; what lies behind the tile's farthest hit is never looked at.
+ *          tiles: a work-item takes a tile of 256 rays down the BVH16, the nearest boxes first;
+ *          what lies behind the tile's farthest hit is never looked at.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.
@@ -527,11 +529,10 @@ typedef struct rsh_spawn_desc {
 /* Makes one secondary ray per hit, tmin 0. Origins are moved off the surface along its
  * geometric normal, to the side that the ray leaves to, so far that rounding cannot bring the
  * ray back to its own triangle: 2^-18 of the triangle's extent + 2^-22 of the coordinates
- * (kernels/offset.h; cf. Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
+ * (kernels/shade/offset.h; cf. Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
  *
  * Reflection, refraction  unit direction, tmax infinite; its weight is the ray's weight times
- * that
- *         of rsh_material, w: 0. A direction that an interpolated normal would send to the
+ *         that of rsh_material, w: 0. A direction that an interpolated normal would send to the
  *         wrong side of the triangle is mirrored in the triangle's plane. None is made when the
  *         weight is not finite, or its largest component is not above 0 and min_weight.
  * Shadow  runs from the surface to the light: for a point or spot light t = 1 is the light and
@@ -595,8 +596,8 @@ typedef struct rsh_frame_desc {
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,
                                    rsh_sizes* sizes);
 
-/* Renders a frame: rasterize, then per wave of rays: build, traverse, cast shadows, shade,
- * spawn.
+/* Renders a frame: rasterize and bound, then per wave of rays: build, traverse, cast shadows,
+ * shade, spawn.
  *
  * Waves are the nodes of the ray tree, depth first: all reflections of a wave, then all its
  * refractions. Memory is that of one wave per bounce.

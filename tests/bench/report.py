@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """report.py --out DIR FILE... - turns the JSON of rsh-bench reduce into
 
-  table.md    the table of the README, printed as well
+  table.md    the table of docs/reduction.md, printed as well
   *.png       throughput against the kept share and against the length, ratio per pattern
   index.html  one page with all of it
 

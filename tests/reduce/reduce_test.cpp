@@ -254,7 +254,7 @@ std::vector<cl_uint> stable_strategies() {
 class ReduceLarge : public ::testing::TestWithParam<cl_uint> {};  // element bytes
 
 // Streams of 32 MB and more may be stored past the caches, line by line; see
-// kernels/reduce_run_compress.h.
+// kernels/reduce/range_compress.h.
 TEST_P(ReduceLarge, EqualsCopyIf) {
     if (test::small()) GTEST_SKIP() << "RSH_TEST_SMALL is set: too many for an emulator";
     const uint32_t count = (32u << 20) / GetParam() + 13;

@@ -53,7 +53,7 @@ public:
     }
 
     // Enough work-items to fill the device, for a stream whose length only the device knows;
-    // see kernels/stride.h.
+    // see kernels/lanes/stride.h.
     Range stream_range() const;
 
     // Sets `bytes` of `buffer` from `offset` on (multiples of 4) to a repeated word.

@@ -38,7 +38,7 @@ public:
     const ray_levels& levels() const { return levels_; }
     cl_uint triangle_count() const { return scene_.geometry().triangle_count; }
 
-    // Child k of a node of level + 1, as the cone-sphere test of kernels/cone_sphere.h sees it.
+    // Child k of a node of level + 1, as kernels/rays/cone_sphere.h sees it.
     bool meets(cl_uint level, const HostPair& pair, int k) const {
         const cone_node4& q = quads_[levels_.first_child_group[level] + pair.node];
         const cl_float4& s = spheres_[pair.triangle];
@@ -133,7 +133,7 @@ cl_uint child_of(const ray_levels& levels, cl_uint level, cl_uint parent, int k)
     return (2 * y + cl_uint(k >> 1)) * levels.width[level] + 2 * x + cl_uint(k & 1);
 }
 
-// One level of the traversal. The flags of its candidates, and `pairs` become the survivors.
+// One level of the traversal. The flags of its tested pairs, and `pairs` become the survivors.
 std::vector<cl_uchar> descend(const Hierarchy& hierarchy, cl_uint level,
                               std::vector<HostPair>& pairs) {
     std::vector<cl_uchar> flags;

@@ -1,7 +1,7 @@
-// pair_stream.hpp - streams that a traversal has to reduce: the candidates of one level of the
+// pair_stream.hpp - streams that a traversal has to reduce: the tested pairs of one level of the
 // hierarchy over a frame's reflected rays, four per pair of the level above, in the order in
-// which the engine "paper_faithful" writes them. The library builds rays, hierarchy and bounds; the tests
-// are done again here, on the host, because the library hands no stream out.
+// which the engine "paper_faithful" writes them. The library builds rays, hierarchy and bounds; the
+// tests are done again here, on the host, because the library hands no stream out.
 #pragma once
 
 #include "device.hpp"
@@ -11,7 +11,7 @@ namespace bench {
 // RSH_SCENES is set: there are scene files to take frames from.
 bool has_scenes();
 
-// "pairs:chinese_dragon_20k:3": candidates of level 3 for samples/scenes/chinese_dragon_20k.json
+// "pairs:chinese_dragon_20k:3": tested pairs of level 3 for samples/scenes/chinese_dragon_20k.json
 // at 512 x 512; 1 where one survives. At most `most` of them. Throws std::runtime_error when the
 // numbers of pairs are not those that the library counted.
 std::vector<cl_uchar> make_pair_flags(const Device& device, const std::string& pattern,
