@@ -69,7 +69,7 @@ prepare() {
 }
 
 # A scene with a still is rendered at that moment; of all others three frames, so that the second
-# and third update what the first one made.
+# and third refit what the first one made.
 render() {
     local side=$1 build=$2 source=$3 scene name frames
     mkdir -p "$results/$side"

@@ -1,4 +1,4 @@
-// box_checks.hpp - what must hold for every hierarchy and every scene of the bound `box`.
+// box_checks.hpp - what must hold for every hierarchy and every scene of the shape `box`.
 #pragma once
 
 #include "support/trace.hpp"

@@ -1,4 +1,4 @@
-// leaf_cuts_test.cpp - where the bound `box` cuts its order of triangles into leaves, and these
+// leaf_cuts_test.cpp - where the shape `box` cuts its order of triangles into leaves, and these
 // into nodes: between what lies apart, and with the least surface that any cuts have.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// order_test.cpp - the orders that the bound `box` gives triangles, and rays of a list.
+// order_test.cpp - the orders that the shape `box` gives triangles, and rays of a list.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -137,7 +137,7 @@ TEST(BoxOrder, IsMadeAnewWhereClustersPart) {
     expect_new_order(fill(shuffled(cells, random), 16), fill(cells, 16));
 }
 
-// As an application may have it that updates from the first frame on.
+// As an application may have it that refits from the first frame on.
 TEST(BoxOrder, IsMadeWhereBoundsHoldNothing) {
     test::Random random(16);
     const test::DeviceMesh mesh(triangles_at(random_walk(random, 700)));
@@ -147,7 +147,7 @@ TEST(BoxOrder, IsMadeWhereBoundsHoldNothing) {
     }
 }
 
-// An update looks back at the frame whose order it has, not at the one before.
+// A refit looks back at the frame whose order it has, not at the one before.
 TEST(BoxOrder, WearsByDegrees) {
     test::Random random(15);
     const std::vector<Float3> points = random_walk(random, test::small() ? 300 : 5000);

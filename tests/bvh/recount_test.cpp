@@ -1,5 +1,5 @@
 // recount_test.cpp - bounds that are kept over frames with other numbers of triangles: whatever
-// an update finds in the buffer, the hits are those of brute force, and nothing outside is
+// a refit finds in the buffer, the hits are those of brute force, and nothing outside is
 // touched.
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ TEST(Recount, LeavesThePixelsOfBruteForce) {
     }
 }
 
-// Words from `first` to `end` of bounds that were made in order become noise; then an update.
+// Words from `first` to `end` of bounds that were made in order become noise; then a refit.
 void expect_update_within_buffers(const DeviceMesh& mesh, test::Random& random, size_t first,
                                   size_t end) {
     rsh_bound_desc desc = bound_desc(mesh.geometry(), RSH_SHAPE_BOX, RSH_BOUND_QUALITY);

@@ -1,4 +1,4 @@
-// tree_test.cpp - nodes that the bound `box` makes to be kept (`update`), out of a binary tree:
+// tree_test.cpp - nodes of bounds that are kept (RSH_BOUND_QUALITY), out of a binary tree:
 // they hold what is below them, there is room for them and for what a ray leaves on its stack,
 // and their boxes are smaller than those of ranges along the curve.
 #include <gtest/gtest.h>

@@ -22,7 +22,7 @@ Node child_of(const cone_node4& quad, uint32_t k);
 bool starts_inside(const Node& node, const rsh_ray& ray);
 bool points_inside(const Node& node, const rsh_ray& ray);
 
-// A node of the bound `box`.
+// A node of the shape `box`.
 struct BoxNode {
     test::Float3 origin_low, origin_high, direction_low, direction_high;
     float tmax;

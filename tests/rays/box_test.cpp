@@ -1,4 +1,4 @@
-// box_test.cpp - the bound `box`: every block contains its active rays, every box of the scene
+// box_test.cpp - the shape `box`: every block contains its active rays, every box of the scene
 // its triangles or the boxes of its node.
 #include <gtest/gtest.h>
 

@@ -51,16 +51,16 @@ std::vector<Node> nodes_of(const BuiltNodes& built) {
     return nodes;
 }
 
-// Of the bound `box`: the rays by their places, see ray_levels.
+// Of the shape `box`: the rays by their places, see ray_levels.
 struct RayOrder {
     bool is_sorted;
     std::vector<uint32_t> rays;
 };
 RayOrder ray_order(const BuiltNodes& built);
 
-// Spheres of the bound `cone`.
+// Spheres of the shape `cone`.
 std::vector<cl_float4> bound(const DeviceMesh& mesh);
-// What rsh_bound makes for the bound `box`, see bvh/layout.h.
+// What rsh_bound makes for the shape `box`, see bvh/layout.h.
 struct SceneBvh {
     std::vector<bvh_leaf> leaves;
     std::vector<bvh_node> nodes;
@@ -68,11 +68,11 @@ struct SceneBvh {
     bvh_head head;
 };
 SceneBvh build_bvh(const DeviceMesh& mesh);
-// The same after each frame: as many triangles in each; all but the first are updates.
+// The same after each frame: as many triangles in each; all but the first are refits.
 std::vector<SceneBvh> refitted_bvhs(const std::vector<const DeviceMesh*>& frames);
 // The first is made to be kept.
 std::vector<SceneBvh> kept_bvhs(const std::vector<const DeviceMesh*>& frames);
-// Of an update of bounds that hold nothing but this byte.
+// Of a refit of bounds that hold nothing but this byte.
 SceneBvh bvh_refitted_from(const DeviceMesh& mesh, uint8_t byte);
 
 struct TraceOptions {

@@ -64,7 +64,7 @@ RunReport begin_report(const Device& device, const World& world,
 }
 
 // What is measured must not contain compiling. Two frames go before: the first makes the bounds,
-// and the second one updates them, by kernels that a driver compiles when they are first launched.
+// and the second one refits them, by kernels that a driver compiles when they are first launched.
 void warm_up(Renderer& renderer, double time, RunReport& report) {
     const FrameMeasure first = renderer.render(time, nullptr, nullptr);
     report.first_frame_ms = first.total_ms;
