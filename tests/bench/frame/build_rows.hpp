@@ -19,7 +19,7 @@ std::vector<BuildRow> build_rows();
 
 // The hierarchy over the rays does not depend on what became of the scene's order.
 inline bool is_measured(const BuildRow&, const Column& column) {
-    return !column.is_updated;
+    return !column.is_refit;
 }
 
 std::string case_name(const BuildRow& row, const Column& column);

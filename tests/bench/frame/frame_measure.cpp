@@ -144,9 +144,9 @@ void RowRun::check() {
     for (Contender& contender : contenders_) check(contender, brute);
 }
 
-// What is updated is checked after an update of bounds that were made of another moment.
+// A refit is checked on bounds that were made of another moment.
 void RowRun::check(Contender& contender, const BruteCheck& brute) {
-    if (contender.column.is_updated) {
+    if (contender.column.is_refit) {
         scene_.move(kEarlierMoment);
         contender.tracer->trace(rays_.buffer());
         scene_.move(kCheckedMoment);
@@ -221,7 +221,7 @@ nlohmann::json RowRun::params(const Contender& contender) const {
             {"active_rays", active_rays_},
             {"engine", contender.column.engine_name},
             {"bound", contender.column.bound_name},
-            {"updated", contender.column.is_updated}};
+            {"refit", contender.column.is_refit}};
 }
 
 void RowRun::put_times(const Contender& c, nlohmann::json& metrics) const {

@@ -154,8 +154,8 @@ void put_against_paper(json& out, const Cases& of_column, const std::vector<Case
     }
 }
 
-bool is_updated(const Case& c) {
-    return c.params.value("updated", false);
+bool is_refit(const Case& c) {
+    return c.params.value("refit", false);
 }
 
 }  // namespace
@@ -164,20 +164,20 @@ std::vector<Case> summarize(const std::vector<Case>& cases) {
     std::set<std::tuple<std::string, std::string, bool>> columns;
     Cases all;
     for (const Case& c : cases) {
-        columns.insert({text(c, "engine"), text(c, "bound"), is_updated(c)});
+        columns.insert({text(c, "engine"), text(c, "bound"), is_refit(c)});
         all.push_back(&c);
     }
     std::vector<Case> summaries;
     for (const auto& column : columns) {
         const Cases of_column = select(all, [&column](const Case& c) {
-            return column == std::tuple(text(c, "engine"), text(c, "bound"), is_updated(c));
+            return column == std::tuple(text(c, "engine"), text(c, "bound"), is_refit(c));
         });
-        const auto& [engine, bound, updated] = column;
+        const auto& [engine, bound, refit] = column;
         Case summary = {fmt::format("frame/summary/engine:{}/bound:{}{}", engine, bound,
-                                    updated ? "/updated" : ""),
+                                    refit ? "/refit" : ""),
                         {{"engine", engine},
                          {"bound", bound},
-                         {"updated", updated},
+                         {"refit", refit},
                          {"cases", of_column.size()}},
                         json::object()};
         put_ratios(summary.metrics, of_column);

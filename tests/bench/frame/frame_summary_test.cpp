@@ -83,16 +83,16 @@ TEST(FrameSummary, KeepsOtherSizesOutOfTheMeans) {
 
 TEST(FrameSummary, KeepsUpdatedFramesApart) {
     std::vector<Case> cases = some_cases();
-    Case updated = cases[3];
-    updated.params["updated"] = true;
-    updated.metrics["ratio_embree"] = 9.0;
-    cases.push_back(updated);
+    Case refit = cases[3];
+    refit.params["refit"] = true;
+    refit.metrics["ratio_embree"] = 9.0;
+    cases.push_back(refit);
     size_t seen = 0;
     for (const Case& summary : summarize(cases)) {
         if (summary.params["engine"] != "tiles") continue;
-        const bool is_updated = summary.params["updated"];
-        EXPECT_DOUBLE_EQ(summary.metrics["ratio_embree_300k"], is_updated ? 9.0 : 4.0);
-        EXPECT_EQ(summary.name.find("/updated") != std::string::npos, is_updated);
+        const bool is_refit = summary.params["refit"];
+        EXPECT_DOUBLE_EQ(summary.metrics["ratio_embree_300k"], is_refit ? 9.0 : 4.0);
+        EXPECT_EQ(summary.name.find("/refit") != std::string::npos, is_refit);
         ++seen;
     }
     EXPECT_EQ(seen, 2u);

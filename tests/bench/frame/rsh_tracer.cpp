@@ -24,15 +24,15 @@ double end_ms(const cl::Event& event) {
 
 std::string Column::name() const {
     return fmt::format("engine:{}/bound:{}{}", engine_name, bound_name,
-                       is_updated ? "/updated" : "");
+                       is_refit ? "/refit" : "");
 }
 
 RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size size,
                      bool is_shadow, const Column& column)
-    : device_(device), size_(size), is_shadow_(is_shadow), is_updated_(column.is_updated) {
+    : device_(device), size_(size), is_shadow_(is_shadow), is_refit_(column.is_refit) {
     bound_.struct_size = sizeof bound_;
     bound_.geometry = geometry;
-    bound_.mode = is_updated_ ? RSH_BOUND_QUALITY : RSH_BOUND_FAST;
+    bound_.mode = is_refit_ ? RSH_BOUND_QUALITY : RSH_BOUND_FAST;
     build_.struct_size = sizeof build_;
     build_.width = size.width;
     build_.height = size.height;
@@ -85,7 +85,7 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
                 "rsh_traverse");
         device_.queue().finish();
     });
-    if (is_updated_) bound_.mode = RSH_BOUND_REFIT;
+    if (is_refit_) bound_.mode = RSH_BOUND_REFIT;
     times.build = end_ms(build) - end_ms(bound);
     times.traverse = end_ms(traverse) - end_ms(build);
     times.bound = times.total - times.build - times.traverse;

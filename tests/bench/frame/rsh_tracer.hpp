@@ -7,15 +7,15 @@
 
 namespace bench {
 
-// A column of the tables: how rsh traverses, and whether the scene's order is made anew every
-// frame, or updated.
+// A column of the tables: how rsh traverses, and whether the scene's bounds are made anew in every
+// frame, or refitted.
 struct Column {
     cl_uint engine = RSH_ENGINE_DEFAULT;
     cl_uint bound = RSH_SHAPE_DEFAULT;
     std::string engine_name, bound_name;
-    bool is_updated = false;
+    bool is_refit = false;
 
-    std::string name() const;  // "engine:tiles/bound:box", and "/updated"
+    std::string name() const;  // "engine:tiles/bound:box", and "/refit"
 };
 
 struct FrameTimes {
@@ -50,7 +50,7 @@ private:
     const Device& device_;
     Size size_;
     bool is_shadow_;
-    bool is_updated_;
+    bool is_refit_;
     size_t bytes_ = 0;
     rsh_bound_desc bound_{};
     rsh_build_desc build_{};
