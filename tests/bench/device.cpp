@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "commit.hpp"
@@ -16,6 +18,20 @@ void require(rsh_status status, const char* call) {
         fmt::format("{}: {}: {}", call, rsh_status_string(status), rsh_last_error()));
 }
 
+namespace {
+
+// What the library says of programs and strategies.
+void log_line(const char* message, void*) {
+    fmt::print(stderr, "rsh: {}\n", message);
+}
+
+bool wants_log() {
+    const char* wanted = std::getenv("RSH_LOG");
+    return wanted && std::string_view(wanted) == "1";
+}
+
+}  // namespace
+
 Device::Device(const std::string& name) {
     cl_device_id device = nullptr;
     require(rsh_find_device(name.empty() ? nullptr : name.c_str(), nullptr, &device),
@@ -27,6 +43,7 @@ Device::Device(const std::string& name) {
     desc.struct_size = sizeof desc;
     desc.context = context_();
     desc.device = device;
+    if (wants_log()) desc.log = log_line;
     rsh_context context = nullptr;
     require(rsh_create_context(&desc, &context), "rsh_create_context");
     rsh_.reset(context);
