@@ -32,6 +32,25 @@ std::string included_name(const std::string& line) {
     return line.substr(directive.size(), line.find('"', directive.size()) - directive.size());
 }
 
+bool begins_with(const std::string& line, const char* directive) {
+    return line.rfind(directive, 0) == 0;
+}
+
+// How many conditions a line opens, less those that it closes.
+int conditions_opened(const std::string& line) {
+    return begins_with(line, "#if") ? 1 : begins_with(line, "#endif") ? -1 : 0;
+}
+
+// A header stands in the text once, where it is met first: never where a condition may leave it
+// out, which a file met later would then miss. The guard of a header is no such condition.
+void require_unconditional(int conditions, const std::string& name, int line) {
+    const bool is_header = name.size() > 2 && name.compare(name.size() - 2, 2, ".h") == 0;
+    if (conditions > (is_header ? 1 : 0))
+        throw Error(RSH_INVALID_VALUE, "kernel " + name + ": line " + std::to_string(line) +
+                                           " includes a file under a condition, must do so "
+                                           "always");
+}
+
 class Expander {
 public:
     explicit Expander(const std::string& folder) : folder_(folder) {}
@@ -42,11 +61,14 @@ public:
                                                 : read_from(folder_, name));
         mark(1, name);
         std::string line;
+        int conditions = 0;
         for (int number = 1; std::getline(text, line); ++number) {
             const std::string include = included_name(line);
+            conditions += conditions_opened(line);
             if (include.empty()) {
                 out_ << line << '\n';
             } else {
+                require_unconditional(conditions, name, number);
                 expand(include);
                 mark(number + 1, name);
             }
