@@ -103,14 +103,15 @@ TEST_F(Overlap, OfPartsIsJudgedByTheirBytes) {
     auto reduce = valid_.reduce();
     const size_t bytes = size_t{reduce.count} * reduce.element_bytes;
     ASSERT_LE(bytes, kPage);
-    const cl::Buffer first = part(0, 2 * kPage), second = part(kPage, kPage);
+    const cl::Buffer first = part(0, 2 * kPage), second = part(kPage, kPage),
+                     same = part(kPage, kPage);
     reduce.input = first();
     reduce.output = whole_();
     refuses(reduce, "output", "input");
     reduce.output = second();
     EXPECT_EQ(call(reduce), RSH_SUCCESS) << rsh_last_error();
     reduce.input = second();
-    reduce.output = part(kPage, kPage)();
+    reduce.output = same();
     EXPECT_EQ(call(reduce), RSH_INVALID_VALUE) << "two parts of the same bytes";
     device().queue.finish();
 }
