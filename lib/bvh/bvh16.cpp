@@ -1,6 +1,7 @@
-#include "bvh/bvh16.hpp"
-
+// bvh16.cpp - a bounding volume hierarchy of 16 children to a node and up to 16 triangles to a
+// leaf, made anew or refitted, in linear time: kernels/bvh/leaves.cl and its neighbours.
 #include <algorithm>
+#include "bvh/scene_bounds.hpp"
 
 #include "bvh/layout.hpp"
 #include "device/cl/scratch.hpp"
@@ -97,38 +98,48 @@ private:
     const Sort sort_ = sort_of_triangles(recorder_.context(), mesh_.triangle_count);
 };
 
+class Bvh16 final : public SceneBounds {
+public:
+    cl_uint shape() const noexcept override { return RSH_SHAPE_BOX; }
+
+    size_t bytes(const rsh_geometry& geometry) const override {
+        const bvh_layout bvh = bvh_layout_of(geometry.triangle_count);
+        return RSH_BVH_WORDS(bvh) * sizeof(cl_uint);
+    }
+
+    Layout scratch(const Context& context, const rsh_geometry& geometry,
+                   cl_uint mode) const override {
+        Layout layout(context.caps.alignment);
+        layout.add_array<refit_quality>("quality", RSH_QUALITY_SAMPLES);
+        sort_of_triangles(context, geometry.triangle_count).reserve(layout);
+        const bvh_layout bvh = bvh_layout_of(geometry.triangle_count);
+        layout.reuse_from(Sort::kOnlyWhileSorting);
+        layout.add_array<child_box>("child boxes", RSH_LEAVES(bvh) + RSH_NODES(bvh));
+        if (mode != RSH_BOUND_FAST) layout.add_array<cl_float>("tree", RSH_TREE_WORDS(bvh));
+        return layout;
+    }
+
+    void bound(Recorder& recorder, const rsh_bound_desc& desc) const override {
+        const rsh_geometry& geometry = desc.geometry;
+        if (geometry.triangle_count == 0) {
+            // Bounds, and of a shape that no triangles have.
+            recorder.fill(RSH_STAGE_BOUND, desc.bounds, RSH_BVH_MADE, sizeof(bvh_head));
+            return;
+        }
+        const Scratch memory(recorder, scratch(recorder.context(), geometry, desc.mode),
+                             desc.scratch);
+        const SceneBvh bvh(recorder, desc, memory);
+        bvh.order();
+        bvh.make();
+        bvh.refit();
+    }
+};
+
 }  // namespace
 
-size_t Bvh16::bytes(const rsh_geometry& geometry) const {
-    const bvh_layout bvh = bvh_layout_of(geometry.triangle_count);
-    return RSH_BVH_WORDS(bvh) * sizeof(cl_uint);
-}
-
-Layout Bvh16::scratch(const Context& context, const rsh_geometry& geometry,
-                      cl_uint mode) const {
-    Layout layout(context.caps.alignment);
-    layout.add_array<refit_quality>("quality", RSH_QUALITY_SAMPLES);
-    sort_of_triangles(context, geometry.triangle_count).reserve(layout);
-    const bvh_layout bvh = bvh_layout_of(geometry.triangle_count);
-    layout.reuse_from(Sort::kOnlyWhileSorting);
-    layout.add_array<child_box>("child boxes", RSH_LEAVES(bvh) + RSH_NODES(bvh));
-    if (mode != RSH_BOUND_FAST) layout.add_array<cl_float>("tree", RSH_TREE_WORDS(bvh));
-    return layout;
-}
-
-void Bvh16::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
-    const rsh_geometry& geometry = desc.geometry;
-    if (geometry.triangle_count == 0) {
-        // Bounds, and of a shape that no triangles have.
-        recorder.fill(RSH_STAGE_BOUND, desc.bounds, RSH_BVH_MADE, sizeof(bvh_head));
-        return;
-    }
-    const Scratch memory(recorder, scratch(recorder.context(), geometry, desc.mode),
-                         desc.scratch);
-    const SceneBvh bvh(recorder, desc, memory);
-    bvh.order();
-    bvh.make();
-    bvh.refit();
+const SceneBounds& bvh16_bounds() {
+    static const Bvh16 bounds;
+    return bounds;
 }
 
 }  // namespace rsh

@@ -1,15 +1,15 @@
-#include "bvh/bvh16.hpp"
-#include "bvh/spheres.hpp"
+#include "bvh/scene_bounds.hpp"
 #include "device/error.hpp"
 
 namespace rsh {
 
+// Each in a file of its name.
+const SceneBounds& bvh16_bounds();
+const SceneBounds& sphere_bounds();
+
 // The first one is the default.
 const SceneBounds& bounds_for(cl_uint shape) {
-    static const Bvh16 bvh16;
-    static const Spheres spheres;
-    for (const SceneBounds* bounds :
-         {static_cast<const SceneBounds*>(&bvh16), static_cast<const SceneBounds*>(&spheres)})
+    for (const SceneBounds* bounds : {&bvh16_bounds(), &sphere_bounds()})
         if (shape == bounds->shape() || shape == RSH_SHAPE_DEFAULT) return *bounds;
     throw Error(RSH_INVALID_VALUE,
                 "shape: is " + std::to_string(shape) + ", must be RSH_SHAPE_...");

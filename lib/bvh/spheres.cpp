@@ -1,23 +1,37 @@
-#include "bvh/spheres.hpp"
-
+// spheres.cpp - a sphere around each triangle, no hierarchy: the scene's side of the paper's
+// engine. kernels/bvh/spheres.cl.
+#include "bvh/scene_bounds.hpp"
 #include "bvh/types.h"
 #include "mesh/mesh.hpp"
 
 namespace rsh {
+namespace {
 
-size_t Spheres::bytes(const rsh_geometry& geometry) const {
-    return sizeof(spheres_head) + size_t{geometry.triangle_count} * 16;
-}
+class Spheres final : public SceneBounds {
+public:
+    cl_uint shape() const noexcept override { return RSH_SHAPE_CONE; }
 
-Layout Spheres::scratch(const Context& context, const rsh_geometry&, cl_uint) const {
-    return Layout(context.caps.alignment);
-}
+    size_t bytes(const rsh_geometry& geometry) const override {
+        return sizeof(spheres_head) + size_t{geometry.triangle_count} * 16;
+    }
 
-void Spheres::bound(Recorder& recorder, const rsh_bound_desc& desc) const {
-    const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_BOUND, {"programs/paper_faithful", "rsh_spheres"},
-                    recorder.range(geometry.triangle_count), mesh_view_of(geometry),
-                    geometry.vertices, geometry.indices, desc.bounds);
+    Layout scratch(const Context& context, const rsh_geometry&, cl_uint) const override {
+        return Layout(context.caps.alignment);
+    }
+
+    void bound(Recorder& recorder, const rsh_bound_desc& desc) const override {
+        const rsh_geometry& geometry = desc.geometry;
+        recorder.launch(RSH_STAGE_BOUND, {"programs/paper_faithful", "rsh_spheres"},
+                        recorder.range(geometry.triangle_count), mesh_view_of(geometry),
+                        geometry.vertices, geometry.indices, desc.bounds);
+    }
+};
+
+}  // namespace
+
+const SceneBounds& sphere_bounds() {
+    static const Spheres bounds;
+    return bounds;
 }
 
 }  // namespace rsh

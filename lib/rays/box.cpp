@@ -1,8 +1,9 @@
-#include "rays/box.hpp"
-
+// box.cpp - a box of origins and a box of directions around 16 rays, 16 such blocks to a tile,
+// in kernels/rays/build_boxes.cl; against the BVH16 of the scene.
 #include "device/cl/scratch.hpp"
 #include "order/sort.hpp"
 #include "rays/levels.hpp"
+#include "rays/node_shape.hpp"
 #include "rays/types.h"
 
 namespace rsh {
@@ -30,34 +31,45 @@ void order_rays(Recorder& recorder, const rsh_build_desc& desc, const ray_levels
                     scratch["sorting"], desc.nodes);
 }
 
+class Box final : public NodeShape {
+public:
+    cl_uint id() const noexcept override { return RSH_SHAPE_BOX; }
+    const char* name() const noexcept override { return "box"; }
+
+    ray_levels levels(cl_uint width, cl_uint height) const override {
+        return box_levels(width, height);
+    }
+
+    size_t bytes(const ray_levels& levels) const override {
+        const size_t order = levels.is_list ? size_t{levels.width[0]} + 1 : 0;
+        return sizeof(nodes_head) + node_count(levels, 2) * sizeof(box_node16) +
+               order * sizeof(cl_uint);
+    }
+
+    Layout scratch(const Context& context, const ray_levels& levels) const override {
+        Layout layout(context.caps.alignment);
+        if (!levels.is_list) return layout;
+        const Sort sort = sort_of_rays(context, levels);
+        layout.add_array<cl_uint>("sampled", 2 * sort.items().items);
+        sort.reserve(layout);
+        return layout;
+    }
+
+    void build(Recorder& recorder, const rsh_build_desc& desc) const override {
+        const ray_levels shape = levels(desc.width, desc.height);
+        const Scratch memory(recorder, scratch(recorder.context(), shape), desc.scratch);
+        if (shape.is_list) order_rays(recorder, desc, shape, memory);
+        recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_boxes"),
+                        recorder.serial_range(node_count(shape, 2)), shape, desc.rays,
+                        desc.converging, desc.nodes);
+    }
+};
+
 }  // namespace
 
-ray_levels Box::levels(cl_uint width, cl_uint height) const {
-    return box_levels(width, height);
-}
-
-size_t Box::bytes(const ray_levels& levels) const {
-    const size_t order = levels.is_list ? size_t{levels.width[0]} + 1 : 0;
-    return sizeof(nodes_head) + node_count(levels, 2) * sizeof(box_node16) +
-           order * sizeof(cl_uint);
-}
-
-Layout Box::scratch(const Context& context, const ray_levels& levels) const {
-    Layout layout(context.caps.alignment);
-    if (!levels.is_list) return layout;
-    const Sort sort = sort_of_rays(context, levels);
-    layout.add_array<cl_uint>("sampled", 2 * sort.items().items);
-    sort.reserve(layout);
-    return layout;
-}
-
-void Box::build(Recorder& recorder, const rsh_build_desc& desc) const {
-    const ray_levels shape = levels(desc.width, desc.height);
-    const Scratch memory(recorder, scratch(recorder.context(), shape), desc.scratch);
-    if (shape.is_list) order_rays(recorder, desc, shape, memory);
-    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_boxes"),
-                    recorder.serial_range(node_count(shape, 2)), shape, desc.rays,
-                    desc.converging, desc.nodes);
+const NodeShape& box_shape() {
+    static const Box shape;
+    return shape;
 }
 
 }  // namespace rsh

@@ -1,32 +1,50 @@
-#include "rays/cone.hpp"
-
+// cone.cpp - the node of Roger, Assarsson and Holzschuch 2007: a cone capped by a sphere, four
+// children each, up to a root, in kernels/rays/build_cones.cl; against spheres around the
+// triangles.
 #include "rays/levels.hpp"
+#include "rays/node_shape.hpp"
 #include "rays/types.h"
 
 namespace rsh {
+namespace {
 
-ray_levels Cone::levels(cl_uint width, cl_uint height) const {
-    return cone_levels(width, height);
-}
+class Cone final : public NodeShape {
+public:
+    cl_uint id() const noexcept override { return RSH_SHAPE_CONE; }
+    const char* name() const noexcept override { return "cone"; }
 
-size_t Cone::bytes(const ray_levels& levels) const {
-    return sizeof(nodes_head) + levels.first_child_group[levels.count] * sizeof(cone_node4);
-}
+    ray_levels levels(cl_uint width, cl_uint height) const override {
+        return cone_levels(width, height);
+    }
 
-Layout Cone::scratch(const Context& context, const ray_levels&) const {
-    return Layout(context.caps.alignment);
-}
+    size_t bytes(const ray_levels& levels) const override {
+        return sizeof(nodes_head) + levels.first_child_group[levels.count] * sizeof(cone_node4);
+    }
 
-void Cone::build(Recorder& recorder, const rsh_build_desc& desc) const {
-    const ray_levels shape = levels(desc.width, desc.height);
-    const auto parents = [&shape](cl_uint level) {
-        return size_t{shape.width[level + 1]} * shape.height[level + 1];
-    };
-    recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_cones_rays"},
-                    recorder.range(parents(0)), shape, desc.rays, desc.converging, desc.nodes);
-    for (cl_uint level = 1; level < shape.count; ++level)
-        recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_cones_level"},
-                        recorder.range(parents(level)), shape, level, desc.nodes);
+    Layout scratch(const Context& context, const ray_levels&) const override {
+        return Layout(context.caps.alignment);
+    }
+
+    void build(Recorder& recorder, const rsh_build_desc& desc) const override {
+        const ray_levels shape = levels(desc.width, desc.height);
+        const auto parents = [&shape](cl_uint level) {
+            return size_t{shape.width[level + 1]} * shape.height[level + 1];
+        };
+        recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_cones_rays"},
+                        recorder.range(parents(0)), shape, desc.rays, desc.converging,
+                        desc.nodes);
+        for (cl_uint level = 1; level < shape.count; ++level)
+            recorder.launch(RSH_STAGE_BUILD,
+                            {"programs/paper_faithful", "rsh_build_cones_level"},
+                            recorder.range(parents(level)), shape, level, desc.nodes);
+    }
+};
+
+}  // namespace
+
+const NodeShape& cone_shape() {
+    static const Cone shape;
+    return shape;
 }
 
 }  // namespace rsh

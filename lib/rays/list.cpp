@@ -1,14 +1,15 @@
 #include "device/error.hpp"
-#include "rays/box.hpp"
-#include "rays/cone.hpp"
+#include "rays/node_shape.hpp"
 
 namespace rsh {
 
+// Each in a file of its name.
+const NodeShape& box_shape();
+const NodeShape& cone_shape();
+
 // The first one is the default.
 const std::vector<const NodeShape*>& node_shapes() {
-    static const Box box;
-    static const Cone cone;
-    static const std::vector<const NodeShape*> all = {&box, &cone};
+    static const std::vector<const NodeShape*> all = {&box_shape(), &cone_shape()};
     return all;
 }
 

@@ -1,19 +1,18 @@
 #include "device/error.hpp"
-#include "traverse/brute_force.hpp"
-#include "traverse/paper/paper.hpp"
-#include "traverse/paper_faithful/paper_faithful.hpp"
-#include "traverse/tiles/tiles.hpp"
+#include "traverse/engine.hpp"
 
 namespace rsh {
 
+// Each in a file of its name.
+const Engine& tiles_engine();
+const Engine& paper_engine();
+const Engine& paper_faithful_engine();
+const Engine& brute_force_engine();
+
 // The first one is the default.
 const std::vector<const Engine*>& engines() {
-    static const Tiles tiles;
-    static const Paper paper;
-    static const PaperFaithful paper_faithful;
-    static const BruteForce brute_force;
-    static const std::vector<const Engine*> all = {&tiles, &paper, &paper_faithful,
-                                                   &brute_force};
+    static const std::vector<const Engine*> all = {
+        &tiles_engine(), &paper_engine(), &paper_faithful_engine(), &brute_force_engine()};
     return all;
 }
 

@@ -1,6 +1,9 @@
-#include "traverse/paper/paper.hpp"
-
+// paper.cpp - the traversal of Roger, Assarsson and Holzschuch 2007, tuned: breadth first,
+// every triangle against the root, and no early end, but 16 children per node tested at a time,
+// a range of triangles per node instead of a stream of pairs, and survivors counted before they
+// are written. What paper_faithful.cpp does as written, for comparison.
 #include <algorithm>
+#include "traverse/engine.hpp"
 
 #include "bvh/layout.hpp"
 #include "rays/levels.hpp"
@@ -158,33 +161,45 @@ private:
     RangeStreams streams_;
 };
 
+class Paper final : public Engine {
+public:
+    cl_uint id() const noexcept override { return RSH_ENGINE_PAPER; }
+    const char* name() const noexcept override { return "paper"; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
+
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc,
+                   BoundsFrom from) const override {
+        const ray_levels shape = group_levels(desc.width, desc.height);
+        const cl_uint capacity = capacity_of(desc, shape);
+        size_t slices = 0;
+        for (cl_uint level = 1; level < shape.count; ++level)
+            slices = std::max(
+                slices, size_t{nodes_of(shape, level + 1)} * slices_of(context, shape, level));
+        Layout layout(context.caps.alignment);
+        layout.add_array<cl_uint>("even levels", capacity);
+        layout.add_array<cl_uint>("odd levels", capacity);
+        layout.add_array<cl_ushort>("masks", capacity);
+        layout.add_array<cl_uint2>("ranges", first_range(shape, shape.count));
+        layout.add_array<cl_uint16>("counts", slices);
+        layout.add_array<cl_uint>("sums", slices + 1);
+        layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
+        layout.add_array<box_node16>(
+            "nodes", shape.first_child_group[shape.count] - shape.first_child_group[2]);
+        reserve_bounds(layout, context, desc, from);
+        return layout;
+    }
+
+    void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override {
+        if (desc.width == 0) return;
+        Traversal(recorder, desc, scratch(recorder.context(), desc, bounds_from(desc))).run();
+    }
+};
+
 }  // namespace
 
-Layout Paper::scratch(const Context& context, const rsh_traverse_desc& desc,
-                      BoundsFrom from) const {
-    const ray_levels shape = group_levels(desc.width, desc.height);
-    const cl_uint capacity = capacity_of(desc, shape);
-    size_t slices = 0;
-    for (cl_uint level = 1; level < shape.count; ++level)
-        slices = std::max(
-            slices, size_t{nodes_of(shape, level + 1)} * slices_of(context, shape, level));
-    Layout layout(context.caps.alignment);
-    layout.add_array<cl_uint>("even levels", capacity);
-    layout.add_array<cl_uint>("odd levels", capacity);
-    layout.add_array<cl_ushort>("masks", capacity);
-    layout.add_array<cl_uint2>("ranges", first_range(shape, shape.count));
-    layout.add_array<cl_uint16>("counts", slices);
-    layout.add_array<cl_uint>("sums", slices + 1);
-    layout.add_array<cl_uint>("tally", RSH_TALLY_WORDS);
-    layout.add_array<box_node16>(
-        "nodes", shape.first_child_group[shape.count] - shape.first_child_group[2]);
-    reserve_bounds(layout, context, desc, from);
-    return layout;
-}
-
-void Paper::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
-    if (desc.width == 0) return;
-    Traversal(recorder, desc, scratch(recorder.context(), desc, bounds_from(desc))).run();
+const Engine& paper_engine() {
+    static const Paper engine;
+    return engine;
 }
 
 }  // namespace rsh

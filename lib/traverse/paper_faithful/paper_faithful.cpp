@@ -1,6 +1,8 @@
-#include "traverse/paper_faithful/paper_faithful.hpp"
-
+// paper_faithful.cpp - the traversal of Roger, Assarsson and Holzschuch 2007: breadth first,
+// one level per pass, every triangle against the root, four children per pair, a reduction
+// after each level.
 #include <algorithm>
+#include "traverse/engine.hpp"
 
 #include "rays/node_shape.hpp"
 #include "reduce/strategy.hpp"
@@ -133,29 +135,41 @@ private:
     PairStreams streams_;
 };
 
+class PaperFaithful final : public Engine {
+public:
+    cl_uint id() const noexcept override { return RSH_ENGINE_PAPER_FAITHFUL; }
+    const char* name() const noexcept override { return "paper_faithful"; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_CONE; }
+
+    cl_uint longest_stream(const rsh_traverse_desc& desc) const override {
+        return 4 * limit_of(desc, cone_levels(desc));
+    }
+
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc,
+                   BoundsFrom from) const override {
+        const ray_levels levels = cone_levels(desc);
+        const cl_uint limit = limit_of(desc, levels);
+        Layout layout(context.caps.alignment);
+        layout.add_array<stream_pair>("pairs", size_t{4} * limit);
+        layout.add_array<stream_pair>("tested_pairs", size_t{4} * limit);
+        layout.add_array<cl_uint>("tested count", 1);
+        layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
+        reserve_bounds(layout, context, desc, from);
+        find_strategy(desc.strategy).reserve(layout, context, {4 * limit, sizeof(stream_pair)});
+        return layout;
+    }
+
+    void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override {
+        if (desc.width == 0) return;
+        Traversal(recorder, desc, scratch(recorder.context(), desc, bounds_from(desc))).run();
+    }
+};
+
 }  // namespace
 
-cl_uint PaperFaithful::longest_stream(const rsh_traverse_desc& desc) const {
-    return 4 * limit_of(desc, cone_levels(desc));
-}
-
-Layout PaperFaithful::scratch(const Context& context, const rsh_traverse_desc& desc,
-                              BoundsFrom from) const {
-    const ray_levels levels = cone_levels(desc);
-    const cl_uint limit = limit_of(desc, levels);
-    Layout layout(context.caps.alignment);
-    layout.add_array<stream_pair>("pairs", size_t{4} * limit);
-    layout.add_array<stream_pair>("tested_pairs", size_t{4} * limit);
-    layout.add_array<cl_uint>("tested count", 1);
-    layout.add_array<cl_uint>("counts", RSH_MAX_LEVELS + 1);
-    reserve_bounds(layout, context, desc, from);
-    find_strategy(desc.strategy).reserve(layout, context, {4 * limit, sizeof(stream_pair)});
-    return layout;
-}
-
-void PaperFaithful::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
-    if (desc.width == 0) return;
-    Traversal(recorder, desc, scratch(recorder.context(), desc, bounds_from(desc))).run();
+const Engine& paper_faithful_engine() {
+    static const PaperFaithful engine;
+    return engine;
 }
 
 }  // namespace rsh

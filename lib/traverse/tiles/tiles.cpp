@@ -1,8 +1,10 @@
-#include "traverse/tiles/tiles.hpp"
-
+// tiles.cpp - each work-item finishes a tile of 256 rays on its own
+// (traverse/tiles/traverse_tiles.cl): boxes of the scene front to back, and nothing behind the
+// tile's farthest hit.
 #include "bvh/layout.hpp"
 #include "rays/levels.hpp"
 #include "rays/node_shape.hpp"
+#include "traverse/engine.hpp"
 #include "traverse/intersect.hpp"
 
 namespace rsh {
@@ -18,31 +20,43 @@ void count_tests(Recorder& recorder, cl_mem counts) {
     });
 }
 
+class Tiles final : public Engine {
+public:
+    cl_uint id() const noexcept override { return RSH_ENGINE_TILES; }
+    const char* name() const noexcept override { return "tiles"; }
+    cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
+
+    Layout scratch(const Context& context, const rsh_traverse_desc& desc,
+                   BoundsFrom from) const override {
+        Layout layout(context.caps.alignment);
+        layout.add_array<cl_uint>("counts", kCountWords);
+        reserve_bounds(layout, context, desc, from);
+        return layout;
+    }
+
+    void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const override {
+        if (desc.width == 0) return;
+        const Context& context = recorder.context();
+        const Scratch memory(recorder, scratch(context, desc, bounds_from(desc)), desc.scratch);
+        const cl_mem bounds = desc.bounds ? desc.bounds : make_bounds(recorder, desc, memory);
+        const bool is_counting = context.statistics.enabled();
+        report_progress(desc, 0, 1);
+        if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCountWords * 4);
+        const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
+        recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
+                        recorder.serial_range(node_count(shape, 2)),
+                        bvh_layout_of(desc.geometry.triangle_count), bounds, shape, desc.rays,
+                        desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
+                        cl_uint{is_counting}, memory["counts"], recorder.wrong_buffers());
+        if (is_counting) count_tests(recorder, memory["counts"]);
+    }
+};
+
 }  // namespace
 
-Layout Tiles::scratch(const Context& context, const rsh_traverse_desc& desc,
-                      BoundsFrom from) const {
-    Layout layout(context.caps.alignment);
-    layout.add_array<cl_uint>("counts", kCountWords);
-    reserve_bounds(layout, context, desc, from);
-    return layout;
-}
-
-void Tiles::traverse(Recorder& recorder, const rsh_traverse_desc& desc) const {
-    if (desc.width == 0) return;
-    const Context& context = recorder.context();
-    const Scratch memory(recorder, scratch(context, desc, bounds_from(desc)), desc.scratch);
-    const cl_mem bounds = desc.bounds ? desc.bounds : make_bounds(recorder, desc, memory);
-    const bool is_counting = context.statistics.enabled();
-    report_progress(desc, 0, 1);
-    if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCountWords * 4);
-    const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
-    recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
-                    recorder.serial_range(node_count(shape, 2)),
-                    bvh_layout_of(desc.geometry.triangle_count), bounds, shape, desc.rays,
-                    desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
-                    cl_uint{is_counting}, memory["counts"], recorder.wrong_buffers());
-    if (is_counting) count_tests(recorder, memory["counts"]);
+const Engine& tiles_engine() {
+    static const Tiles engine;
+    return engine;
 }
 
 }  // namespace rsh
