@@ -17,6 +17,7 @@
 #include "shade/clear_colour.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
+#include "traverse/audit.hpp"
 #include "traverse/engine.hpp"
 
 namespace rsh {
@@ -29,7 +30,9 @@ public:
 
     void render() {
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
+        if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
         rasterize(recorder_, memory_.rasterize());
+        audit_hits(memory_.audit(0));
         if (memory_.traces_rays()) bound(recorder_, memory_.bound());
         begin_image();
         shade_wave(0);
@@ -52,6 +55,7 @@ private:
         report_progress();
         build(recorder_, memory_.build(bounce + 1));
         traverse(recorder_, memory_.traverse(bounce + 1));
+        audit_hits(memory_.audit(bounce + 1));
         shade_wave(bounce + 1);
         spawn_waves(bounce + 1);
     }
@@ -68,7 +72,12 @@ private:
             spawn_shadow(bounce, light);
             build(recorder_, memory_.build_shadow(light));
             traverse(recorder_, memory_.traverse_shadow(light));
+            audit_hits(memory_.audit_shadow(light));
         }
+    }
+
+    void audit_hits(const rsh_audit_desc& wave) {
+        if (desc_.audit_rays) audit(recorder_, wave);
     }
 
     // Light by light, lest their sum outgrow 32 bits; only statistics read the count.

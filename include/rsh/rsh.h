@@ -2,7 +2,8 @@
  *
  * rsh_rasterize finds what the camera sees, rsh_spawn makes the secondary rays, rsh_bound bounds
  * the scene, rsh_build the rays, rsh_traverse finds the closest hits by both, rsh_shade turns
- * hits into colour. rsh_frame is that loop, made of the same calls. Two ways to traverse:
+ * hits into colour. rsh_frame is that loop, made of the same calls; rsh_audit checks hits. Two
+ * ways to traverse:
  *
  *   tiles   (the default) rays in packets of 16 x 16, bounded by the hierarchy over the rays, go
  *           front to back through a 16-wide bounding volume hierarchy (BVH16) of the scene,
@@ -509,6 +510,32 @@ RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
                                 const cl_event* wait_list, cl_event* done);
 
+/* ---- is it right? ---- */
+
+typedef struct rsh_audit_desc {
+    size_t struct_size;
+    rsh_geometry geometry;
+    cl_uint ray_count;     /* at most 2^28 */
+    cl_mem rays;           /* in: ray_count x rsh_ray                                         */
+    cl_uint query;         /* RSH_QUERY_...: what was asked of the traversal                  */
+    cl_uint occlusion_bit; /* any: as in rsh_traverse_desc                                    */
+    cl_mem hits;           /* closest: in: what the traversal answered                        */
+    cl_mem occlusion;      /* any: in: likewise; the bit was 0 before                         */
+    cl_uint sample;        /* rays to trace again; 0, and more than there are: all            */
+    cl_uint seed;          /* which ones: the same seed, the same rays                        */
+    cl_mem report;         /* out: one rsh_audit_report                                       */
+} rsh_audit_desc;
+
+/* Traces rays again by brute force and counts those whose answers differ in any bit.
+ *
+ * Effect:  the rays are cut into `sample` ranges of equal length; of each, the first active ray
+ *          is taken from a random place on, round the range's end. Inactive rays, and ranges
+ *          without an active one, are left out and not counted.
+ * Cost:    O(triangles * sample), and at most a look at every ray; one launch, no scratch. */
+RSH_API rsh_status rsh_audit(rsh_context context, cl_command_queue queue,
+                             const rsh_audit_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
+
 /* ---- secondary rays ---- */
 
 enum {
@@ -597,6 +624,9 @@ typedef struct rsh_frame_desc {
                              which the query counts, so that there it must be NULL, or not, as
                              in the call. Frames without shadows and bounces leave it alone   */
     cl_uint mode;         /* as in rsh_bound_desc; 0 without `bounds`                         */
+    cl_uint audit_rays;   /* `sample` of rsh_audit, for each wave; 0: none is audited         */
+    cl_mem audit;         /* out, with audit_rays: one rsh_audit_report, the sum over all waves
+                             of rays: those of the camera, secondary and shadow rays          */
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,

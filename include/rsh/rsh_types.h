@@ -14,6 +14,7 @@
 typedef float4 rsh_float4;
 typedef float rsh_float;
 typedef uint rsh_uint;
+typedef ulong rsh_ulong;
 #else
 #ifndef CL_TARGET_OPENCL_VERSION
 #define CL_TARGET_OPENCL_VERSION 120
@@ -26,6 +27,7 @@ typedef uint rsh_uint;
 typedef cl_float4 rsh_float4;
 typedef cl_float rsh_float;
 typedef cl_uint rsh_uint;
+typedef cl_ulong rsh_ulong;
 #endif
 
 #define RSH_ASSERT_SIZE(type, bytes) \
@@ -67,6 +69,15 @@ typedef struct rsh_hit {
     rsh_uint primitive; /* index of the triangle */
 } rsh_hit;
 RSH_ASSERT_SIZE(rsh_hit, 16);
+
+/* What an audit found: see rsh_audit. */
+typedef struct rsh_audit_report {
+    rsh_ulong rays;        /* that were traced again                                  */
+    rsh_ulong differences; /* of these, with an answer that is not that of brute force */
+    rsh_uint first_ray;    /* lowest index of such a ray; RSH_NO_HIT: there is none   */
+    rsh_uint reserved[3];
+} rsh_audit_report;
+RSH_ASSERT_SIZE(rsh_audit_report, 32);
 
 /* Pinhole camera. Pixel (x, y), y downwards, looks from `eye` along
  *   forward + ((x + 0.5) / width * 2 - 1) * right + (1 - (y + 0.5) / height * 2) * up,

@@ -5,8 +5,6 @@
 
 #include "rays/types.h"
 
-#define RSH_NO_RAY 0xffffffffu
-
 typedef struct ray_tile {
     uint width, height;         /* rays; list: height 0 */
     uint x, y;                  /* first ray; list: x */

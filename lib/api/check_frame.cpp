@@ -73,6 +73,7 @@ void check_buffers(const Context& context, const rsh_frame_desc& desc) {
     require(!desc.mode || desc.bounds, "mode", desc.mode, "0 without bounds");
     buffers.optional_out("bounds", desc.bounds,
                          bounds_for(frame_shape(desc).id()).bytes(desc.scene->geometry));
+    if (desc.audit_rays) buffers.out("audit", desc.audit, sizeof(rsh_audit_report));
     buffers.scratch(desc.scratch, frame_scratch(context, desc).bytes());
 }
 

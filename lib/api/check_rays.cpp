@@ -25,6 +25,14 @@ void check_ray_count(cl_uint ray_count) {
             "at most " + std::to_string(kMaxRays));
 }
 
+template <class Desc>
+void check_query(const Desc& desc) {
+    require(desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ANY, "query", desc.query,
+            "RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
+    if (desc.query == RSH_QUERY_ANY)
+        require(desc.occlusion_bit < 32, "occlusion_bit", desc.occlusion_bit, "0 .. 31");
+}
+
 void check_hit_rays(Buffers& buffers, cl_uint ray_count, cl_mem rays, cl_mem hits) {
     buffers.in("rays", rays, cl_ulong{ray_count} * sizeof(rsh_ray));
     buffers.in("hits", hits, cl_ulong{ray_count} * sizeof(rsh_hit));
@@ -52,10 +60,7 @@ void check_shape(const rsh_traverse_desc& desc) {
     check_ray_grid(desc.width, desc.height);
     check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
-    require(desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ANY, "query", desc.query,
-            "RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
-    if (desc.query == RSH_QUERY_ANY)
-        require(desc.occlusion_bit < 32, "occlusion_bit", desc.occlusion_bit, "0 .. 31");
+    check_query(desc);
     check_budget(desc.budget);
 }
 
@@ -75,6 +80,24 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     else
         buffers.out("hits", desc.hits, rays * sizeof(rsh_hit));
     buffers.scratch(desc.scratch, engine.scratch(context, desc, bounds_from(desc)).bytes());
+}
+
+void check_shape(const rsh_audit_desc& desc) {
+    check_shape(desc.geometry);
+    check_ray_count(desc.ray_count);
+    check_query(desc);
+}
+
+void check_buffers(const Context& context, const rsh_audit_desc& desc) {
+    Buffers buffers(context);
+    check_buffers(buffers, desc.geometry);
+    const cl_ulong rays = desc.ray_count;
+    buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
+    if (desc.query == RSH_QUERY_ANY)
+        buffers.in("occlusion", desc.occlusion, rays * 4);
+    else
+        buffers.in("hits", desc.hits, rays * sizeof(rsh_hit));
+    buffers.out("report", desc.report, sizeof(rsh_audit_report));
 }
 
 void check_shape(const rsh_spawn_desc& desc) {

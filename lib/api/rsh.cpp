@@ -17,6 +17,7 @@
 #include "reduce/strategy.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
+#include "traverse/audit.hpp"
 #include "traverse/engine.hpp"
 
 namespace rsh {
@@ -256,6 +257,15 @@ rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                         const rsh_traverse_desc* desc, cl_uint wait_count,
                         const cl_event* wait_list, cl_event* done) {
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::traverse);
+}
+
+rsh_status rsh_audit(rsh_context context, cl_command_queue queue, const rsh_audit_desc* desc,
+                     cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done,
+                        [](rsh::Recorder& recorder, const rsh_audit_desc& checked) {
+                            rsh::clear_report(recorder, checked.report);
+                            rsh::audit(recorder, checked);
+                        });
 }
 
 rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,

@@ -144,6 +144,18 @@ rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
     return pass;
 }
 
+rsh_audit_desc FrameMemory::audit(cl_uint bounce) const {
+    rsh_audit_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.geometry = desc_.scene->geometry;
+    pass.ray_count = pixels();
+    pass.rays = at("rays", bounce);
+    pass.hits = at("hits", bounce);
+    pass.sample = desc_.audit_rays;
+    pass.report = desc_.audit;
+    return pass;
+}
+
 rsh_spawn_desc FrameMemory::spawn_at(cl_uint bounce, cl_uint kind) const {
     rsh_spawn_desc pass = {};
     pass.struct_size = sizeof pass;
@@ -198,6 +210,16 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
 
 rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {
     rsh_traverse_desc pass = traverse(0);
+    pass.rays = scratch_["shadow rays"];
+    pass.query = RSH_QUERY_ANY;
+    pass.hits = nullptr;
+    pass.occlusion = occlusion();
+    pass.occlusion_bit = light;
+    return pass;
+}
+
+rsh_audit_desc FrameMemory::audit_shadow(cl_uint light) const {
+    rsh_audit_desc pass = audit(0);
     pass.rays = scratch_["shadow rays"];
     pass.query = RSH_QUERY_ANY;
     pass.hits = nullptr;

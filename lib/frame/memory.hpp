@@ -27,12 +27,14 @@ public:
     rsh_bound_desc bound() const;
     rsh_build_desc build(cl_uint bounce) const;
     rsh_traverse_desc traverse(cl_uint bounce) const;
+    rsh_audit_desc audit(cl_uint bounce) const;
     rsh_spawn_desc spawn(cl_uint bounce, cl_uint kind) const;
     rsh_shade_desc shade(cl_uint bounce) const;
     // The shadow rays of one light at the hits of a bounce.
     rsh_spawn_desc spawn_shadow(cl_uint bounce, cl_uint light) const;
     rsh_build_desc build_shadow(cl_uint light) const;
     rsh_traverse_desc traverse_shadow(cl_uint light) const;
+    rsh_audit_desc audit_shadow(cl_uint light) const;
 
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
     cl_mem occlusion() const { return scratch_.find("occlusion"); }

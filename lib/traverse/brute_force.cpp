@@ -8,6 +8,7 @@
 
 namespace rsh {
 namespace {
+
 class BruteForce final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_BRUTE_FORCE; }

@@ -194,6 +194,7 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
     takes(valid_.traverse(), 216);
     takes(valid_.frame(), 208);
     takes(valid_.reduce(), 72);
+    EXPECT_EQ(sizeof(rsh_audit_desc), 168u);
     EXPECT_EQ(sizeof(rsh_geometry), 104u);
     EXPECT_EQ(sizeof(rsh_camera), 96u);
     rsh_scene scene = valid_.scene.desc;

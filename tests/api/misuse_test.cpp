@@ -26,6 +26,9 @@ rsh_status call(const rsh_build_desc* d, cl_event* e) {
 rsh_status call(const rsh_traverse_desc* d, cl_event* e) {
     return rsh_traverse(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
 }
+rsh_status call(const rsh_audit_desc* d, cl_event* e) {
+    return rsh_audit(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
+}
 rsh_status call(const rsh_spawn_desc* d, cl_event* e) {
     return rsh_spawn(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
 }
@@ -74,6 +77,7 @@ TEST_F(Misuse, OfStructSizesIsRefusedByEveryCall) {
     refuses_struct_sizes(valid_.bound());
     refuses_struct_sizes(valid_.build());
     refuses_struct_sizes(valid_.traverse());
+    refuses_struct_sizes(valid_.audit());
     refuses_struct_sizes(valid_.spawn());
     refuses_struct_sizes(valid_.shade());
     refuses_struct_sizes(valid_.frame());
@@ -287,6 +291,39 @@ TEST_F(Misuse, OfRasterizeIsRefused) {
                   {"rays", "4", "2048"});
     refuses<Desc>(desc, [&](Desc& d) { d.hits = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                   {"hits", "4", "1024"});
+}
+
+TEST_F(Misuse, OfAuditsIsRefused) {
+    using Desc = rsh_audit_desc;
+    const auto desc = valid_.audit();
+    refuses<Desc>(desc, [](Desc& d) { d.ray_count = (1u << 28) + 1; }, RSH_INVALID_VALUE,
+                  {"ray_count", "268435457", "268435456"});
+    refuses<Desc>(desc, [](Desc& d) { d.ray_count = 65; }, RSH_BUFFER_TOO_SMALL,
+                  {"rays", "2048", "2080"});
+    refuses<Desc>(desc, [](Desc& d) { d.rays = nullptr; }, RSH_INVALID_VALUE, {"rays", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.hits = nullptr; }, RSH_INVALID_VALUE, {"hits", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.hits = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"hits", "4", "1024"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = 2; }, RSH_INVALID_VALUE, {"query", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ANY; }, RSH_INVALID_VALUE,
+                  {"occlusion", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ANY, d.occlusion_bit = 32; },
+                  RSH_INVALID_VALUE, {"occlusion_bit", "32"});
+    refuses<Desc>(desc, [](Desc& d) { d.report = nullptr; }, RSH_INVALID_VALUE,
+                  {"report", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.report = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"report", "4", "32"});
+    refuses<Desc>(desc, [](Desc& d) { d.report = d.hits; }, RSH_INVALID_VALUE,
+                  {"report", "overlap", "hits"});
+    refuses<Desc>(desc, [](Desc& d) { d.geometry.vertex_stride = 8; }, RSH_INVALID_VALUE,
+                  {"vertex_stride", "8"});
+    auto frame = valid_.frame();
+    frame.audit_rays = 1;
+    refuses<rsh_frame_desc>(frame, [](auto&) {}, RSH_INVALID_VALUE, {"audit", "NULL"});
+    refuses<rsh_frame_desc>(frame, [&](auto& d) { d.audit = short_.get(); },
+                            RSH_BUFFER_TOO_SMALL, {"audit", "4", "32"});
+    refuses<rsh_frame_desc>(frame, [](auto& d) { d.audit = d.colour; }, RSH_INVALID_VALUE,
+                            {"audit", "overlap", "colour"});
 }
 
 TEST_F(Misuse, OfSpawnAndShadeIsRefused) {

@@ -48,6 +48,16 @@ rsh_traverse_desc ValidCalls::traverse() const {
     return desc;
 }
 
+rsh_audit_desc ValidCalls::audit() const {
+    auto desc = empty<rsh_audit_desc>();
+    desc.geometry = scene.desc.geometry;
+    desc.ray_count = kRays;
+    desc.rays = rays.get();
+    desc.hits = in_hits.get();
+    desc.report = report.get();
+    return desc;
+}
+
 rsh_spawn_desc ValidCalls::spawn() const {
     auto desc = empty<rsh_spawn_desc>();
     desc.scene = &scene.desc;
@@ -92,11 +102,11 @@ rsh_reduce_desc ValidCalls::reduce() const {
 ::testing::AssertionResult ValidCalls::outputs_untouched() const {
     device().queue.finish();
     const ::testing::AssertionResult results[] = {
-        out_rays.untouched(), hits.untouched(),    occlusion.untouched(),
-        colour.untouched(),   weights.untouched(), bounds.untouched(),
-        nodes.untouched(),    packed.untouched(),  count.untouched()};
+        out_rays.untouched(), hits.untouched(),   occlusion.untouched(), colour.untouched(),
+        weights.untouched(),  bounds.untouched(), nodes.untouched(),     packed.untouched(),
+        count.untouched(),    report.untouched()};
     const char* const names[] = {"rays",   "hits",  "occlusion", "colour", "weights",
-                                 "bounds", "nodes", "packed",    "count"};
+                                 "bounds", "nodes", "packed",    "count",  "report"};
     for (size_t i = 0; i < std::size(results); ++i)
         if (!results[i])
             return ::testing::AssertionFailure() << names[i] << ": " << results[i].message();

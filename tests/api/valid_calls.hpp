@@ -30,11 +30,13 @@ struct ValidCalls {
     Buffer<uint8_t> flags{std::vector<uint8_t>(1024, 1)};
     Buffer<uint32_t> packed{1024};
     Buffer<uint32_t> count{1};
+    Buffer<rsh_audit_report> report{1};
 
     rsh_rasterize_desc rasterize() const;
     rsh_bound_desc bound() const;
     rsh_build_desc build() const;
     rsh_traverse_desc traverse() const;  // brute force: needs no nodes
+    rsh_audit_desc audit() const;
     rsh_spawn_desc spawn() const;
     rsh_shade_desc shade() const;
     rsh_frame_desc frame() const;

@@ -71,6 +71,8 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
     desc.colour = colour.get();
     desc.bounds = options.bounds;
     desc.mode = options.update;
+    desc.audit_rays = options.audit_rays;
+    desc.audit = options.audit;
     std::unique_ptr<Bytes> scratch;
     if (options.own_scratch) {
         rsh_sizes sizes = {};

@@ -41,6 +41,8 @@ struct FrameOptions {
     rsh_context context = nullptr;  // null: the device's
     cl_mem bounds = nullptr;
     cl_uint update = 0;
+    cl_uint audit_rays = 0;
+    cl_mem audit = nullptr;
 };
 
 // The gallery's camera.

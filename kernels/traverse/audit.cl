@@ -1,0 +1,86 @@
+/* audit.cl - traces a sample of rays again by brute force and counts the answers that differ.
+ *   rays, hits, occlusion  in
+ *   report                 in/out  an rsh_audit_report, adds up
+ * A work-item gathers rays, one from each of its ranges, and traces RSH_RAYS_PER_ITEM at once.
+ */
+#include "lanes/stride.h"
+#include "traverse/brute_force.h"
+#include "traverse/count.h"
+
+/* Words of an rsh_audit_report. */
+#define RSH_REPORT_RAYS 0
+#define RSH_REPORT_DIFFERENCES 2
+#define RSH_REPORT_FIRST_RAY 4
+
+/* MurmurHash3's last step (Appleby 2011): every bit of x changes about half of the bits. */
+static uint scramble(uint x)
+{
+    x = (x ^ x >> 16) * 0x85ebca6bu;
+    x = (x ^ x >> 13) * 0xc2b2ae35u;
+    return x ^ x >> 16;
+}
+
+/* The first active ray of a range from a random place on, round its end; or RSH_NO_RAY. */
+static uint pick_ray(__global const rsh_ray* rays, uint ray_count, uint range, uint sample,
+                     uint seed)
+{
+    const uint begin = (uint)((ulong)ray_count * range / sample);
+    const uint length = (uint)((ulong)ray_count * (range + 1) / sample) - begin;
+    const uint start = scramble(range + scramble(seed)) % length;
+    for (uint i = 0; i < length; ++i) {
+        const uint ray = begin + (start + i) % length;
+        if (is_active(rays[ray])) return ray;
+    }
+    return RSH_NO_RAY;
+}
+
+static bool differ(rsh_hit a, rsh_hit b)
+{
+    return as_uint(a.t) != as_uint(b.t) || as_uint(a.u) != as_uint(b.u) ||
+           as_uint(a.v) != as_uint(b.v) || a.primitive != b.primitive;
+}
+
+/* index: of RSH_RAYS_PER_ITEM rays, the first `count` of which there are. */
+static void audit_rays(mesh_view mesh, __global const float* vertices,
+                       __global const uint* indices, __global const rsh_ray* rays,
+                       const uint* index, uint count, __global const rsh_hit* hits,
+                       __global const uint* occlusion, uint occlusion_bit,
+                       __global uint* report)
+{
+    item_hits expected;
+    trace_by_force(mesh, vertices, indices, rays, index, &expected);
+    uint differences = 0, first_ray = RSH_NO_HIT;
+    for (uint i = 0; i < count; ++i) {
+        const uint ray = index[i];
+        const bool is_hit = expected.primitive[i] != RSH_NO_HIT;
+        if (occlusion_bit ? ((occlusion[ray] & occlusion_bit) != 0) == is_hit
+                          : !differ(hits[ray], hit_at(&expected, i, rays[ray])))
+            continue;
+        ++differences;
+        first_ray = min(first_ray, ray);
+    }
+    add_to_count(report + RSH_REPORT_RAYS, count);
+    if (differences == 0) return;
+    add_to_count(report + RSH_REPORT_DIFFERENCES, differences);
+    atomic_min(report + RSH_REPORT_FIRST_RAY, first_ray);
+}
+
+__kernel void rsh_audit(mesh_view mesh, __global const float* vertices,
+                        __global const uint* indices, __global const rsh_ray* rays,
+                        uint ray_count, __global const rsh_hit* hits,
+                        __global const uint* occlusion, uint occlusion_bit, uint sample,
+                        uint seed, __global uint* report)
+{
+    const strided_range mine = my_elements(sample);
+    uint index[RSH_RAYS_PER_ITEM], count = 0;
+    for (uint range = mine.begin; range < mine.end || count > 0; range += mine.step) {
+        const uint ray =
+            range < mine.end ? pick_ray(rays, ray_count, range, sample, seed) : RSH_NO_RAY;
+        if (ray != RSH_NO_RAY) index[count++] = ray;
+        if (range < mine.end && count < RSH_RAYS_PER_ITEM) continue;
+        for (uint i = count; i < RSH_RAYS_PER_ITEM; ++i) index[i] = RSH_NO_RAY;
+        audit_rays(mesh, vertices, indices, rays, index, count, hits, occlusion, occlusion_bit,
+                   report);
+        count = 0;
+    }
+}

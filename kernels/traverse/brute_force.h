@@ -1,0 +1,70 @@
+/* brute_force.h - some rays against every triangle, as the engine and the audit do it.
+ * A work-item holds RSH_VECTORS_PER_ITEM vectors of rays while the triangles stream past.
+ */
+#ifndef RSH_TRAVERSE_BRUTE_FORCE_H
+#define RSH_TRAVERSE_BRUTE_FORCE_H
+
+#include "mesh/intersect.h"
+#include "rays/types.h"
+#include "tuning.h"
+
+#define RSH_RAYS_PER_ITEM (RSH_VECTORS_PER_ITEM * RSH_WIDTH)
+
+/* The hits of a work-item's rays, each by the place of its ray. */
+typedef struct item_hits {
+    float t[RSH_RAYS_PER_ITEM], u[RSH_RAYS_PER_ITEM], v[RSH_RAYS_PER_ITEM];
+    uint primitive[RSH_RAYS_PER_ITEM];
+} item_hits;
+
+/* Lanes without a ray, and inactive rays, get an empty interval. */
+static sheared_rays load_sheared_rays(__global const rsh_ray* rays, const uint* index)
+{
+    float lanes[8][RSH_WIDTH];
+    for (uint i = 0; i < RSH_WIDTH; ++i) {
+        const rsh_ray ray = rays[index[i] == RSH_NO_RAY ? 0 : index[i]];
+        float row[8];
+        vstore8((float8)(ray.origin_tmin, ray.direction_tmax), 0, row);
+        for (uint f = 0; f < 8; ++f) lanes[f][i] = row[f];
+        if (index[i] == RSH_NO_RAY || !is_active(ray)) lanes[7][i] = -1.0f;
+    }
+    return shear_rays(load_lanes(lanes[0]), load_lanes(lanes[1]), load_lanes(lanes[2]),
+                      load_lanes(lanes[4]), load_lanes(lanes[5]), load_lanes(lanes[6]),
+                      load_lanes(lanes[3]), load_lanes(lanes[7]));
+}
+
+/* index: of RSH_RAYS_PER_ITEM rays. */
+static void trace_by_force(mesh_view mesh, __global const float* vertices,
+                           __global const uint* indices, __global const rsh_ray* rays,
+                           const uint* index, item_hits* hits)
+{
+    sheared_rays sheared[RSH_VECTORS_PER_ITEM];
+    closest_hits best[RSH_VECTORS_PER_ITEM];
+    for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
+        sheared[b] = load_sheared_rays(rays, index + b * RSH_WIDTH);
+        best[b] = no_hits();
+    }
+    for (uint i = 0; i < mesh.triangle_count; ++i) {
+        triangle_points p;
+        if (!load_triangle(mesh, vertices, indices, i, &p)) continue;
+        floatv corner[9];
+        broadcast_triangle(p, corner);
+        for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b)
+            keep_closer(&best[b], intersect(sheared[b], corner), i);
+    }
+    for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
+        store_lanes(best[b].t, hits->t + b * RSH_WIDTH);
+        store_lanes(best[b].u, hits->u + b * RSH_WIDTH);
+        store_lanes(best[b].v, hits->v + b * RSH_WIDTH);
+        store_lanes(best[b].primitive, hits->primitive + b * RSH_WIDTH);
+    }
+}
+
+/* The answer of the ray at place i. */
+static rsh_hit hit_at(const item_hits* hits, uint i, rsh_ray ray)
+{
+    if (hits->primitive[i] == RSH_NO_HIT)
+        return (rsh_hit){ray.direction_tmax.w, 0.0f, 0.0f, RSH_NO_HIT};
+    return (rsh_hit){hits->t[i], hits->u[i], hits->v[i], hits->primitive[i]};
+}
+
+#endif
