@@ -70,7 +70,8 @@ void add_report_options(CLI::App& app, Options& o) {
     app.add_option("--check", o.checked_frames,
                    "Trace the first N frames by brute force as well and count hits that differ")
         ->check(CLI::Range(1, 1000000));
-    app.add_option("--check-rays", o.check_ray_step, "Check only every K-th ray of each wave")
+    app.add_option("--check-rays", o.check_ray_step,
+                   "Check only one of every K rays of each wave")
         ->check(CLI::Range(1u, UINT32_MAX));
 }
 

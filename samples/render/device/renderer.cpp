@@ -98,4 +98,16 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user) {
     return measure;
 }
 
+rsh_audit_report Renderer::audit(uint32_t ray_step) {
+    const cl::Buffer found = device_.buffer(sizeof(rsh_audit_report));
+    rsh_frame_desc desc = frame_desc();
+    desc.audit_rays = (desc.width * desc.height - 1) / ray_step + 1;
+    desc.audit = found();
+    require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+            "rsh_frame");
+    rsh_audit_report report{};
+    device_.queue().enqueueReadBuffer(found, CL_TRUE, 0, sizeof report, &report);
+    return report;
+}
+
 }  // namespace render

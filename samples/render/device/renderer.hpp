@@ -35,10 +35,11 @@ public:
     FrameMeasure render(double time, rsh_progress progress, void* user);
     const Frame& frame() const { return frame_; }  // of the last render
 
-    // What rsh_frame was called with.
-    rsh_frame_desc frame_desc() const;
+    // Renders the last frame once more and audits one of every `ray_step` rays of each wave.
+    rsh_audit_report audit(uint32_t ray_step);
 
 private:
+    rsh_frame_desc frame_desc() const;
     void make_bounds();
 
     const Device& device_;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "frame/brute_check.hpp"
 #include "frame/checksum.hpp"
 #include "timing.hpp"
 
@@ -54,9 +53,8 @@ Case measure_build(const Device& device, SceneOnDevice& scene, const BuildRow& r
     rays.make(scene, row.rays);
     RshTracer tracer(device, scene.geometry(), row.size, false, column);
     tracer.trace(rays.buffer());
-    const BruteCheck brute(device, scene.geometry(), rays, false);
     const std::vector<rsh_hit> hits = tracer.hits();
-    const size_t mismatches = brute.mismatches(hits);
+    const size_t mismatches = tracer.mismatches();
     Case result = {case_name(row, column),
                    {{"scene", row.scene.name},
                     {"triangles", scene.geometry().triangle_count},

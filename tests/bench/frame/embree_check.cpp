@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "frame/brute_check.hpp"
-
 namespace bench {
 namespace {
 
@@ -25,6 +23,29 @@ Difference judge(const SceneOnDevice& scene, const rsh_ray& ray, const rsh_hit& 
     const cl_uint nearer = is_ours ? ours.primitive : theirs.primitive;
     if (nearer == RSH_NO_HIT) return Difference::kNone;
     return compare(ours, theirs, cosine(scene, ray, nearer));
+}
+
+// The closest hits of a list of rays by brute force. BLOCKS.
+std::vector<rsh_hit> brute_force_hits(const Device& device, const rsh_geometry& geometry,
+                                      const std::vector<rsh_ray>& rays) {
+    std::vector<rsh_hit> hits(rays.size());
+    if (rays.empty()) return hits;
+    const size_t ray_bytes = rays.size() * sizeof(rsh_ray);
+    const size_t hit_bytes = hits.size() * sizeof(rsh_hit);
+    const cl::Buffer list(device.context(), CL_MEM_READ_WRITE, ray_bytes);
+    const cl::Buffer out(device.context(), CL_MEM_READ_WRITE, hit_bytes);
+    device.queue().enqueueWriteBuffer(list, CL_TRUE, 0, ray_bytes, rays.data());
+    rsh_traverse_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.geometry = geometry;
+    desc.rays = list();
+    desc.width = static_cast<cl_uint>(rays.size());
+    desc.hits = out();
+    desc.engine = RSH_ENGINE_BRUTE_FORCE;
+    require(rsh_traverse(device.rsh(), device.queue()(), &desc, 0, nullptr, nullptr),
+            "rsh_traverse");
+    device.queue().enqueueReadBuffer(out, CL_TRUE, 0, hit_bytes, hits.data());
+    return hits;
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <memory>
 #include <thread>
 
-#include "frame/brute_check.hpp"
 #include "frame/checksum.hpp"
 #include "frame/embree_check.hpp"
 #include "timing.hpp"
@@ -64,7 +63,7 @@ public:
 private:
     double trace_embree(Embree& embree, PacketMode mode);
     void choose_mode(Embree& embree);
-    void check(Contender& contender, const BruteCheck& brute);
+    void check(Contender& contender);
     void time_round(double moment);
     const Embree& best_rebuild() const;
     void put_times(const Contender& contender, nlohmann::json& metrics) const;
@@ -139,28 +138,26 @@ void RowRun::choose_mode(Embree& embree) {
 }
 
 void RowRun::check() {
-    const BruteCheck brute(device_, scene_.geometry(), rays_, is_shadow_);
     trace_embree(embrees_.front(), embrees_.front().mode);
-    for (Contender& contender : contenders_) check(contender, brute);
+    for (Contender& contender : contenders_) check(contender);
 }
 
 // A refit is checked on bounds that were made of another moment.
-void RowRun::check(Contender& contender, const BruteCheck& brute) {
+void RowRun::check(Contender& contender) {
     if (contender.column.is_refit) {
         scene_.move(kEarlierMoment);
         contender.tracer->trace(rays_.buffer());
         scene_.move(kCheckedMoment);
     }
     contender.tracer->trace(rays_.buffer());
+    contender.mismatches = contender.tracer->mismatches();
     if (is_shadow_) {
         const auto ours = contender.tracer->occlusion();
-        contender.mismatches = brute.mismatches(ours);
         contender.hits_checksum = checksum(ours);
         contender.differences =
             compare_occlusion(device_, scene_, rays_, ours, *embrees_.front().peer, masks_);
     } else {
         const auto ours = contender.tracer->hits();
-        contender.mismatches = brute.mismatches(ours);
         contender.hits_checksum = checksum(ours);
         contender.differences = compare_hits(scene_, rays_, ours, hits_);
     }

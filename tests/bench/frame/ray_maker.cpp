@@ -2,17 +2,21 @@
 #include "frame/ray_maker.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <utility>
 
-#include "device/ray_sample.hpp"
 #include "frame/diffuse.hpp"
 #include "scene/device_structs.hpp"
 
 namespace bench {
 
 bool is_active(const rsh_ray& ray) {
-    return render::is_active(ray);
+    const cl_float* o = ray.origin_tmin.s;
+    const cl_float* d = ray.direction_tmax.s;
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(o[i]) || !std::isfinite(d[i])) return false;
+    return (d[0] != 0.0f || d[1] != 0.0f || d[2] != 0.0f) && o[3] <= d[3];
 }
 
 const char* name_of(RayKind kind) {

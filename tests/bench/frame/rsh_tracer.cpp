@@ -16,6 +16,9 @@ rsh_sizes empty_sizes() {
     return sizes;
 }
 
+// Ray-triangle tests of an audit that take about half a second on two cores.
+constexpr double kTests = 1.5e8;
+
 double end_ms(const cl::Event& event) {
     return 1e-6 * double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>());
 }
@@ -97,6 +100,26 @@ void RshTracer::build(const cl::Buffer& rays) {
     require(rsh_build(device_.rsh(), device_.queue()(), &build_, 0, nullptr, nullptr),
             "rsh_build");
     device_.queue().finish();
+}
+
+size_t RshTracer::mismatches() const {
+    const cl::Buffer found(device_.context(), CL_MEM_READ_WRITE, sizeof(rsh_audit_report));
+    rsh_audit_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.geometry = traverse_.geometry;
+    desc.ray_count = static_cast<cl_uint>(size_.pixels());
+    desc.rays = traverse_.rays;
+    desc.query = traverse_.query;
+    desc.hits = traverse_.hits;
+    desc.occlusion = traverse_.occlusion;
+    desc.sample = static_cast<cl_uint>(
+        std::clamp(kTests / traverse_.geometry.triangle_count, 64.0, 1024.0));
+    desc.report = found();
+    require(rsh_audit(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+            "rsh_audit");
+    rsh_audit_report report{};
+    device_.queue().enqueueReadBuffer(found, CL_TRUE, 0, sizeof report, &report);
+    return report.differences;
 }
 
 FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {

@@ -37,6 +37,7 @@ public:
 
     FrameTimes trace(const cl::Buffer& rays);  // BLOCKS
     void build(const cl::Buffer& rays);        // the hierarchy alone; BLOCKS
+    size_t mismatches() const;  // of the last frame, in a sample of its active rays; BLOCKS
     FrameWork count(const cl::Buffer& rays, size_t active_rays);
 
     std::vector<rsh_hit> hits() const;       // of the last frame, unless is_shadow
