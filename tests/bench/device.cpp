@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
 
 #include "commit.hpp"
@@ -18,39 +16,14 @@ void require(rsh_status status, const char* call) {
         fmt::format("{}: {}: {}", call, rsh_status_string(status), rsh_last_error()));
 }
 
-namespace {
-
-// What the library says of programs and strategies.
-void log_line(const char* message, void*) {
-    fmt::print(stderr, "rsh: {}\n", message);
-}
-
-bool wants_log() {
-    const char* wanted = std::getenv("RSH_LOG");
-    return wanted && std::string_view(wanted) == "1";
-}
-
-}  // namespace
-
-Device::Device(const std::string& name) {
-    cl_device_id device = nullptr;
-    require(rsh_find_device(name.empty() ? nullptr : name.c_str(), nullptr, &device),
-            "rsh_find_device");
-    device_ = cl::Device(device, /*retainObject=*/true);
-    context_ = cl::Context(device_);
-    queue_ = cl::CommandQueue(context_, device_, CL_QUEUE_PROFILING_ENABLE);
-    rsh_context_desc desc{};
-    desc.struct_size = sizeof desc;
-    desc.context = context_();
-    desc.device = device;
-    if (wants_log()) desc.log = log_line;
-    rsh_context context = nullptr;
-    require(rsh_create_context(&desc, &context), "rsh_create_context");
-    rsh_.reset(context);
-}
+Device::Device(const std::string& name)
+    : own_(name.empty() ? nullptr : name.c_str(), CL_QUEUE_PROFILING_ENABLE),
+      device_(own_.device(), /*retainObject=*/true),
+      context_(own_.context(), true),
+      queue_(own_.queue(), true) {}
 
 nlohmann::json Device::description() const {
-    const cl::Platform platform(device_.getInfo<CL_DEVICE_PLATFORM>());
+    const cl::Platform platform(own_.platform());
     return {{"name", device_.getInfo<CL_DEVICE_NAME>()},
             {"version", device_.getInfo<CL_DEVICE_VERSION>()},
             {"driver", device_.getInfo<CL_DRIVER_VERSION>()},

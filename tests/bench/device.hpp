@@ -5,10 +5,9 @@
 #define CL_HPP_ENABLE_EXCEPTIONS
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #define CL_HPP_TARGET_OPENCL_VERSION 120
-#include <rsh/rsh.h>
+#include <rsh/rsh.hpp>
 
 #include <CL/opencl.hpp>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -25,17 +24,14 @@ public:
     const cl::Context& context() const { return context_; }
     const cl::Device& device() const { return device_; }
     const cl::CommandQueue& queue() const { return queue_; }  // in order, with profiling
-    rsh_context rsh() const { return rsh_.get(); }
+    rsh_context rsh() const { return own_.rsh(); }
     nlohmann::json description() const;
 
 private:
-    struct Release {
-        void operator()(rsh_context context) const { rsh_release_context(context); }
-    };
+    rsh::Device own_;
     cl::Device device_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    std::unique_ptr<rsh_context_s, Release> rsh_;
 };
 
 // Version and commit of the library that is measured.

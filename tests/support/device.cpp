@@ -1,30 +1,23 @@
-// device.cpp - finds the device, makes context and queue. Made once per process: programs that
+// device.cpp - rsh::Device in the words of the C++ bindings. Made once per process: programs that
 // a test has built serve the next.
 #include "support/device.hpp"
 
+#include <rsh/rsh.hpp>
 #include <stdexcept>
 
 namespace test {
 namespace {
 
 Device make_device() {
-    cl_platform_id platform = nullptr;
-    cl_device_id id = nullptr;
-    RSH_CHECK(rsh_find_device(nullptr, &platform, &id));
-
+    static ::rsh::Device* const own = new ::rsh::Device(nullptr, CL_QUEUE_PROFILING_ENABLE);
     Device made;
-    made.platform = cl::Platform(platform, true);
-    made.device = cl::Device(id, true);
-    made.context = cl::Context(made.device);
-    made.queue = cl::CommandQueue(made.context, made.device, CL_QUEUE_PROFILING_ENABLE);
+    made.platform = cl::Platform(own->platform());
+    made.device = cl::Device(own->device(), true);
+    made.context = cl::Context(own->context(), true);
+    made.queue = cl::CommandQueue(own->queue(), true);
+    made.rsh = own->rsh();
     made.name = made.device.getInfo<CL_DEVICE_NAME>() + " (" +
                 made.device.getInfo<CL_DRIVER_VERSION>() + ")";
-
-    rsh_context_desc desc = {};
-    desc.struct_size = sizeof desc;
-    desc.context = made.context();
-    desc.device = made.device();
-    RSH_CHECK(rsh_create_context(&desc, &made.rsh));
     return made;
 }
 

@@ -1,14 +1,13 @@
-// device.hpp - the OpenCL device, context, queue and rsh context that the program renders with,
-// and the one place where statuses become exceptions. Owns no scene.
+// device.hpp - rsh::Device in the words of the C++ bindings, and the one place where statuses
+// become exceptions. Owns no scene.
 #pragma once
 
 #define CL_HPP_ENABLE_EXCEPTIONS
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #define CL_HPP_TARGET_OPENCL_VERSION 120
-#include <rsh/rsh.h>
+#include <rsh/rsh.hpp>
 
 #include <CL/opencl.hpp>
-#include <memory>
 #include <string>
 
 namespace render {
@@ -23,20 +22,16 @@ public:
 
     const cl::Context& context() const { return context_; }
     const cl::CommandQueue& queue() const { return queue_; }  // in order, with profiling
-    rsh_context rsh() const { return rsh_.get(); }
-    std::string name() const { return device_.getInfo<CL_DEVICE_NAME>(); }
+    rsh_context rsh() const { return own_.rsh(); }
+    std::string name() const;
     std::string platform() const;
 
     cl::Buffer buffer(size_t bytes) const;
 
 private:
-    struct Release {
-        void operator()(rsh_context context) const { rsh_release_context(context); }
-    };
-    cl::Device device_;
+    rsh::Device own_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    std::unique_ptr<rsh_context_s, Release> rsh_;
 };
 
 // One line per device: platform, name, OpenCL version, compute units, memory.
