@@ -14,6 +14,8 @@
 
 #include <rsh/rsh.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -98,13 +100,26 @@ private:
     rsh_context handle_;
 };
 
+// For rsh_context_desc::log: a line on stderr.
+inline void log_to_stderr(const char* message, void*) {
+    std::fprintf(stderr, "rsh: %s\n", message);
+}
+
+// What programs log with: log_to_stderr if the environment has RSH_LOG=1, else NULL, silence.
+// The library itself never looks at that.
+inline rsh_log log_from_environment() {
+    const char* value = std::getenv("RSH_LOG");
+    return value && std::string(value) == "1" ? log_to_stderr : nullptr;
+}
+
 // A device with an OpenCL context, a queue and an rsh context of its own, for programs that have
 // none. Can be moved, not copied. Its destruction waits for nothing; see rsh_release_context.
 class Device {
 public:
     // `name` as in rsh_find_device; `properties` of the queue: CL_QUEUE_PROFILING_ENABLE,
     // CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE.
-    explicit Device(const char* name = nullptr, cl_command_queue_properties properties = 0)
+    explicit Device(const char* name = nullptr, cl_command_queue_properties properties = 0,
+                    rsh_log log = nullptr)
         : platform_(nullptr), device_(nullptr), rsh_(static_cast<rsh_context>(nullptr)) {
         check(rsh_find_device(name, &platform_, &device_));
         cl_int status = CL_SUCCESS;
@@ -115,6 +130,7 @@ public:
         rsh_context_desc desc = make<rsh_context_desc>();
         desc.context = context();
         desc.device = device_;
+        desc.log = log;
         rsh_ = Context(desc);
     }
 

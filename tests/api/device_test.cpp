@@ -1,6 +1,7 @@
-// device_test.cpp - rsh::Device makes what rsh's calls need and owns it.
+// device_test.cpp - rsh::Device makes what rsh's calls need, owns it, and logs when it is told to.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <rsh/rsh.hpp>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace {
 
-// Packs a few words.
+// Packs a few words, so that a program is compiled, or taken from the cache.
 std::vector<cl_uint> reduced(const rsh::Device& device) {
     const std::vector<cl_uint> words = {5, RSH_NO_HIT, 7, RSH_NO_HIT, 9};
     const size_t bytes = words.size() * sizeof(cl_uint);
@@ -92,6 +93,35 @@ TEST(Device, ThatIsNotThereIsAnError) {
         EXPECT_NE(std::string(error.what()).find("RSH_NO_DEVICE"), std::string::npos);
         EXPECT_NE(std::string(error.what()).find("no such device"), std::string::npos);
     }
+}
+
+// What a device with this value of RSH_LOG writes to stderr while it is used.
+std::string logged(const char* value) {
+    const char* const set = std::getenv("RSH_LOG");
+    const std::string before = set ? set : "";
+    value ? setenv("RSH_LOG", value, 1) : unsetenv("RSH_LOG");
+    const rsh::Device device(nullptr, 0, rsh::log_from_environment());
+    set ? setenv("RSH_LOG", before.c_str(), 1) : unsetenv("RSH_LOG");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(reduced(device), kKept);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(Log, OfProgramsIsAskedForByTheEnvironment) {
+    const std::string text = logged("1");
+    EXPECT_EQ(text.find("rsh: reduce/"), 0u) << text;
+    EXPECT_TRUE(text.find("compiled in") != std::string::npos ||
+                text.find("taken from the disk cache") != std::string::npos)
+        << text;
+    EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Log, IsSilentUnlessItIsAskedFor) {
+    for (const char* value : {static_cast<const char*>(nullptr), "", "0"})
+        EXPECT_EQ(logged(value).find("rsh: "), std::string::npos);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(reduced(rsh::Device()), kKept);
+    EXPECT_EQ(testing::internal::GetCapturedStderr().find("rsh: "), std::string::npos);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ void require(rsh_status status, const char* call) {
 }
 
 Device::Device(const std::string& name)
-    : own_(name.empty() ? nullptr : name.c_str(), CL_QUEUE_PROFILING_ENABLE),
+    : own_(name.empty() ? nullptr : name.c_str(), CL_QUEUE_PROFILING_ENABLE,
+           rsh::log_from_environment()),
       device_(own_.device(), /*retainObject=*/true),
       context_(own_.context(), true),
       queue_(own_.queue(), true) {}

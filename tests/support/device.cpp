@@ -9,7 +9,8 @@ namespace test {
 namespace {
 
 Device make_device() {
-    static ::rsh::Device* const own = new ::rsh::Device(nullptr, CL_QUEUE_PROFILING_ENABLE);
+    static ::rsh::Device* const own =
+        new ::rsh::Device(nullptr, CL_QUEUE_PROFILING_ENABLE, ::rsh::log_from_environment());
     Device made;
     made.platform = cl::Platform(own->platform());
     made.device = cl::Device(own->device(), true);
