@@ -6,7 +6,7 @@
 #   3. runs the tests again with the host code under the address and undefined-behaviour sanitizers,
 #   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers.
 # Without an OpenCL device it fails. Builds in build/release, build/clang and build/asan of the tree;
-# logs are in build/logs. The last line but the times counts the single tests of step 1.
+# logs are in build/logs. The last line counts the single tests of step 1.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export RSH_REQUIRE_DEVICE=1 PYTHONDONTWRITEBYTECODE=1
