@@ -95,7 +95,7 @@ run_sanitizers() {
 # of the filter must match a test that ran.
 run_oclgrind() {
     step "Oclgrind: kernel tests"
-    local filter='All/Reduce.EqualsCopyIf*:All/Reduce.Takes*_8:All/ReduceWidth.*_4'
+    local filter='All/Reduce.EqualsCopyIfForEvery*:All/Reduce.Takes*_8:All/ReduceWidth.*_4'
     filter+=':All/Build.Contains*:All/Bound.Contains*'
     filter+=':All/Traverse.FindsTheHitsOfBruteForce/Reflected*:All/Traverse.*/Degenerate*'
     filter+=':All/Engine.FindsTheHits*/Reflected:All/Engine.FindsTheHits*/Strewn'
