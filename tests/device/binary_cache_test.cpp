@@ -101,16 +101,6 @@ TEST_F(BinaryCacheTest, IgnoresAFileWithAnyOtherByte) {
     }
 }
 
-TEST_F(BinaryCacheTest, RemembersWhatWasWanted) {
-    EXPECT_FALSE(cache().was_wanted("key"));
-    EXPECT_TRUE(cache().was_wanted("key"));
-    EXPECT_FALSE(cache().was_wanted("kez"));
-    EXPECT_FALSE(cache().load("key")) << "nothing was stored yet";
-    cache().store("key", kBinary);
-    EXPECT_TRUE(cache().was_wanted("key"));
-    EXPECT_EQ(cache().load("key"), kBinary);
-}
-
 TEST_F(BinaryCacheTest, EvictsWhatWasUsedLeastRecentlyAboveItsCap) {
     cache().store("a", kBinary);
     const uint64_t bytes = fs::file_size(file_of("a"));
@@ -143,7 +133,6 @@ TEST_F(BinaryCacheTest, EvictsItsOwnTemporaryFilesAfterAnHour) {
 
 TEST_F(BinaryCacheTest, LeavesNoTemporaryFileBehind) {
     cache().store("key", kBinary);
-    cache().was_wanted("kez");
     EXPECT_FALSE(fs::is_empty(folder_ / "made"));
     for (const auto& entry : fs::directory_iterator(folder_ / "made"))
         EXPECT_EQ(entry.path().extension(), ".rshbin") << entry.path();
@@ -156,7 +145,6 @@ TEST_F(BinaryCacheTest, DoesWithoutAFolderThatCannotBeMade) {
     const BinaryCache below((folder_ / "made" / "below").string());
     EXPECT_NO_THROW(below.store("key", kBinary));
     EXPECT_FALSE(below.load("key"));
-    for (int i = 0; i < 2; ++i) EXPECT_FALSE(below.was_wanted("key"));
     EXPECT_EQ(contents(folder_ / "made"), "a file");
 }
 
@@ -175,7 +163,6 @@ TEST_F(BinaryCacheTest, IsOffWithoutAFolder) {
     const BinaryCache off("");
     off.store("key", kBinary);
     EXPECT_FALSE(off.load("key"));
-    for (int i = 0; i < 2; ++i) EXPECT_FALSE(off.was_wanted("key"));
 }
 
 }  // namespace

@@ -93,15 +93,6 @@ std::optional<std::vector<unsigned char>> BinaryCache::load(
     return unless_it_fails([&] { return read(key); });
 }
 
-bool BinaryCache::was_wanted(const std::string& key) const noexcept {
-    return unless_it_fails([&] {
-        if (folder_.empty()) return false;
-        if (fs::exists(path_of(key))) return true;
-        write(key, {});
-        return false;
-    });
-}
-
 void BinaryCache::store(const std::string& key,
                         const std::vector<unsigned char>& binary) const noexcept {
     unless_it_fails([&] {

@@ -1,9 +1,9 @@
 // binary_cache.hpp - compiled programs in a folder on disk. Knows bytes and keys, no OpenCL.
 //
-// A file holds a key, a checksum and the binary, or no binary yet; it is written under a
-// temporary name and renamed, so a reader sees all of it or nothing. Files used least recently
-// go when the folder grows past its cap, and temporary ones that a process left behind. Nothing
-// here throws: any failure only means that a program is compiled again.
+// A file holds a key, a checksum and the binary; it is written under a temporary name and
+// renamed, so a reader sees all of it or nothing. Files used least recently go when the folder
+// grows past its cap, and temporary ones that a process left behind. Nothing here throws: any
+// failure only means that a program is compiled again.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,6 @@ public:
     static std::string folder_for(const char* requested);
 
     std::optional<std::vector<unsigned char>> load(const std::string& key) const noexcept;
-    // Whether any process asked this before; remembers that it was asked.
-    bool was_wanted(const std::string& key) const noexcept;
     void store(const std::string& key, const std::vector<unsigned char>& binary) const noexcept;
 
 private:

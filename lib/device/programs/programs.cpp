@@ -8,10 +8,18 @@
 namespace rsh {
 namespace {
 
-// A program is stored the second time that compiling it took longer than this. Drivers that
-// cache what they compile are quick by then and never pay for handing it out: PoCL compiles
-// every kernel once more for that, two seconds for the traversal's.
+// A program that took longer than this to compile is compiled again at once. Where that takes
+// less than half as long, the driver keeps what it compiles, and the program is not stored:
+// handing it out may cost more than it saves. PoCL compiles every kernel once more for that, two
+// seconds for the traversal's.
 constexpr double kSlowSeconds = 0.2;
+
+template <class Work>
+double seconds_of(Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace
 
@@ -79,12 +87,12 @@ cl::Program Programs::make(const KernelName& name) {
         log_(std::string(name.program) + ".cl: taken from the disk cache");
         return program;
     }
-    const auto start = std::chrono::steady_clock::now();
-    program = compile(name, source, options);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    log_(std::string(name.program) + ".cl: compiled in " + std::to_string(seconds.count()) +
+    const auto build = [&] { program = compile(name, source, options); };
+    ++built_;
+    const double seconds = seconds_of(build);
+    log_(std::string(name.program) + ".cl: compiled in " + std::to_string(seconds) +
          " s with " + options);
-    if (seconds.count() > kSlowSeconds && cache_.was_wanted(key)) store(key, program);
+    if (seconds > kSlowSeconds && seconds_of(build) > seconds / 2) store(key, program);
     return program;
 }
 
@@ -105,7 +113,6 @@ cl::Program Programs::load(const std::string& key, const std::string& options) {
 cl::Program Programs::compile(const KernelName& name, const std::string& source,
                               const std::string& options) {
     cl::Program program(context_, source);
-    ++built_;
     cl_int failed = CL_SUCCESS;
     try {
         program.build({device_}, options.c_str());
