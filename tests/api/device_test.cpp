@@ -86,7 +86,7 @@ TEST(Device, CanBeMoved) {
 
 TEST(Device, ThatIsNotThereIsAnError) {
     try {
-        rsh::Device("no such device");
+        const rsh::Device none("no such device");
         FAIL() << "there is none of that name";
     } catch (const rsh::Error& error) {
         EXPECT_EQ(error.status(), RSH_NO_DEVICE);
