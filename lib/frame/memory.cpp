@@ -208,8 +208,8 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
             scratch_["build scratch"]};
 }
 
-rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {
-    rsh_traverse_desc pass = traverse(0);
+template <class Pass>
+Pass FrameMemory::of_shadow(Pass pass, cl_uint light) const {
     pass.rays = scratch_["shadow rays"];
     pass.query = RSH_QUERY_ANY;
     pass.hits = nullptr;
@@ -218,14 +218,12 @@ rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {
     return pass;
 }
 
+rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {
+    return of_shadow(traverse(0), light);
+}
+
 rsh_audit_desc FrameMemory::audit_shadow(cl_uint light) const {
-    rsh_audit_desc pass = audit(0);
-    pass.rays = scratch_["shadow rays"];
-    pass.query = RSH_QUERY_ANY;
-    pass.hits = nullptr;
-    pass.occlusion = occlusion();
-    pass.occlusion_bit = light;
-    return pass;
+    return of_shadow(audit(0), light);
 }
 
 }  // namespace rsh

@@ -42,6 +42,9 @@ public:
     cl_mem active_count() const { return scratch_["active count"]; }
 
 private:
+    // The same pass over the shadow rays of a light.
+    template <class Pass>
+    Pass of_shadow(Pass pass, cl_uint light) const;
     cl_mem at(const char* name, cl_uint bounce) const;
     // Without the rays that are spawned.
     rsh_spawn_desc spawn_at(cl_uint bounce, cl_uint kind) const;
