@@ -37,11 +37,12 @@
  *              of rsh_camera, rsh_material, rsh_light and rsh_texture what stands beside them.
  *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
  *              they were made for, and a traversal looks at that on the device. Where bounds or
- *              nodes were made for another shape, another number of triangles or other rays, or
- *              not at all, the traversal finds no hits, touches nothing else, and leaves a mark
- *              that rsh_device_status and rsh_get_statistics report; rsh_frame, which waits
- *              for the device anyway, returns RSH_INVALID_VALUE. What the caller writes into
- *              them afterwards is not found out.
+ *              nodes were made for another shape, another number of triangles, a screen or list
+ *              of another size, or not at all, the traversal finds no hits, touches nothing else,
+ *              and leaves a mark that rsh_device_status and rsh_get_statistics report; rsh_frame
+ *              returns RSH_INVALID_VALUE where it waits, once per secondary wave. That vertices
+ *              or rays have other values by now, or that the caller wrote into bounds or nodes,
+ *              is not found out.
  *   Overlap    Memory that a call writes (outputs, scratch) must not overlap other memory that
  *              it reads or writes: RSH_INVALID_VALUE. Sub-buffers are compared by their parent
  *              and range. Members that are marked in/out are one piece of memory.

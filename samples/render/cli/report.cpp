@@ -1,4 +1,4 @@
-// report.cpp - the repartition of time, rays per bounce and pairs per level.
+// report.cpp - the breakdown of time, rays per bounce and pairs per level.
 #include "cli/report.hpp"
 
 #include <fmt/format.h>

@@ -25,7 +25,7 @@ struct RunReport {
     std::vector<FrameMeasure> frames;
 };
 
-// Milliseconds of one stage, in the paper's repartition. The last stage, "other", is the total
+// Milliseconds of one stage, in the paper's breakdown. The last stage, "other", is the total
 // less the named ones, so that the stages add up to the total: clears, launch gaps, waits of
 // the host.
 struct StageTime {
