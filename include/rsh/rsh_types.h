@@ -105,14 +105,14 @@ RSH_ASSERT_SIZE(rsh_camera, 96);
  * F = 1 under total internal reflection. Without transmission the reflected weight is
  * `reflection`. */
 typedef struct rsh_material {
-    rsh_float4 ambient;      /* rgb, w: 0 */
+    rsh_float4 ambient;      /* rgb, w: 0; multiplied by the texture */
     rsh_float4 diffuse;      /* rgb, w: 0; multiplied by the texture */
     rsh_float4 specular;     /* rgb, w: shininess, the Blinn-Phong exponent */
     rsh_float4 reflection;   /* rgb, w: 0 */
     rsh_float4 transmission; /* rgb, w: index of refraction inside, relative to outside;
                                 not positive: 1 */
     rsh_float4 emission;     /* rgb, w: 0 */
-    rsh_uint texture;        /* of the diffuse colour, or RSH_NO_TEXTURE */
+    rsh_uint texture;        /* of the ambient and diffuse colours, or RSH_NO_TEXTURE */
     rsh_uint reserved[7];    /* 0; for roughness, the priority of nested media, cut-outs and more
                                 textures */
 } rsh_material;

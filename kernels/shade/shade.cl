@@ -91,11 +91,10 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
     if (find_surface(&buffers, rays[i], hit, &surface)) {
         const rsh_material material = materials[surface.material];
         const light_list near = {lights, light_count, occlusion ? occlusion[i] : 0};
-        const float3 diffuse =
-            material.diffuse.xyz *
+        const float3 texture =
             texture_colour(&buffers, &images, texcoords, hit, material.texture);
-        seen = material.emission.xyz + material.ambient.xyz * ambient.xyz +
-               direct_light(&surface, &near, diffuse, material.specular);
+        seen = material.emission.xyz + material.ambient.xyz * texture * ambient.xyz +
+               direct_light(&surface, &near, material.diffuse.xyz * texture, material.specular);
     } else {
         seen = environment_colour(&images, environment_image, environment.xyz,
                                   rays[i].direction_tmax.xyz);

@@ -147,13 +147,16 @@ Surface surface_at(const Scene& scene, const rsh_ray& ray, const rsh_hit& hit) {
     const uint32_t id = scene.material_ids.empty() ? 0 : scene.material_ids[hit.primitive];
     s.material = scene.materials[id < scene.materials.size() ? id : 0];
     s.diffuse = rgb(s.material.diffuse);
+    s.ambient = rgb(s.material.ambient);
     if (s.material.texture != RSH_NO_TEXTURE && !scene.texcoords.empty()) {
         const auto at = [&](int k, int c) { return double(scene.texcoords[i[k]][size_t(c)]); };
         const auto mixed = [&](int c) {
             return (1 - double(hit.u) - double(hit.v)) * at(0, c) + double(hit.u) * at(1, c) +
                    double(hit.v) * at(2, c);
         };
-        s.diffuse = s.diffuse * texture_at(scene, s.material.texture, mixed(0), mixed(1));
+        const Double3 texel = texture_at(scene, s.material.texture, mixed(0), mixed(1));
+        s.diffuse = s.diffuse * texel;
+        s.ambient = s.ambient * texel;
     }
     return s;
 }
@@ -162,7 +165,7 @@ Double3 radiance(const Scene& scene, const rsh_ray& ray, const rsh_hit& hit, uin
     const Double3 d(test::direction(ray));
     if (hit.primitive == RSH_NO_HIT) return environment_at(scene, d);
     const Surface s = surface_at(scene, ray, hit);
-    Double3 sum = rgb(s.material.emission) + rgb(s.material.ambient) * Double3(scene.ambient);
+    Double3 sum = rgb(s.material.emission) + s.ambient * Double3(scene.ambient);
     for (size_t k = 0; k < scene.lights.size(); ++k)
         if (!(hidden >> k & 1)) sum = sum + lit_by(scene.lights[k], s, -1.0 * normalize(d));
     return sum;

@@ -12,6 +12,7 @@ struct Surface {
     test::Double3 geometric;  // unit, on the side that the ray comes from
     test::Double3 normal;     // unit, for shading
     test::Double3 diffuse;    // with texture
+    test::Double3 ambient;    // with texture
     rsh_material material;
     bool from_inside = false;  // the ray meets the back
 };
