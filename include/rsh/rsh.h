@@ -30,8 +30,7 @@
  *              `reserved` words must be 0. Host data that descriptors point at (a scene, a wait
  *              list) is read before the call returns.
  *              Planned, so that nothing has to move: at the end of rsh_traverse_desc and
- *              rsh_build_desc rays as separate arrays, masks, and a buffer of one cl_uint per ray,
- *              the primitive to skip; of rsh_scene offset and stride of each attribute; of
+ *              rsh_build_desc rays as separate arrays, and masks; of rsh_scene offset and stride of each attribute; of
  *              rsh_frame_desc and rsh_rasterize_desc a window of the picture. In reserved words
  *              of rsh_geometry 16-bit indices, and ranges of several meshes with ids and masks;
  *              of rsh_camera, rsh_material, rsh_light and rsh_texture what stands beside them.
@@ -484,6 +483,9 @@ typedef struct rsh_traverse_desc {
     cl_mem scratch;
     rsh_progress progress; /* may be NULL */
     void* progress_user;
+    cl_mem skip;           /* in: width * height x cl_uint: a triangle that the ray does not hit,
+                              such as the one it left, see rsh_spawn_desc; RSH_NO_HIT: none;
+                              NULL: none for all rays                                         */
 } rsh_traverse_desc;
 
 #define RSH_MIN_BUDGET 65536
@@ -503,6 +505,10 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          which finish them at once.
  *          tiles: a work-item takes a tile of 256 rays down the BVH16, the nearest boxes first;
  *          what lies behind the tile's farthest hit is never looked at.
+ *          skip: a ray with a triangle to skip also does not hit what only rounding would put
+ *          in its way: a triangle whose corners are all behind a plane through the origin that
+ *          the ray moves away from, parallel to that triangle or to the one skipped
+ *          (kernels/mesh/leaving.h). No true hit is lost by that.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.
@@ -525,6 +531,7 @@ typedef struct rsh_audit_desc {
     cl_uint sample;        /* rays to trace again; 0, and more than there are: all            */
     cl_uint seed;          /* which ones: the same seed, the same rays                        */
     cl_mem report;         /* out: one rsh_audit_report                                       */
+    cl_mem skip;           /* in: as in the traversal                                         */
 } rsh_audit_desc;
 
 /* Traces rays again by brute force and counts those whose answers differ in any bit.
@@ -558,12 +565,25 @@ typedef struct rsh_spawn_desc {
     cl_mem spawned_rays;     /* out: one per ray; inactive where nothing is spawned           */
     cl_mem spawned_weights;  /* out: float4 per ray; unused for shadow                        */
     cl_mem active_count;     /* in/out: one cl_uint, grows by the rays spawned; may be NULL   */
+    cl_mem spawned_skip;     /* out: cl_uint per ray, the triangle that it leaves, for
+                                rsh_traverse_desc::skip; RSH_NO_HIT where nothing is spawned.
+                                NULL: origins keep that triangle off by their distance        */
 } rsh_spawn_desc;
 
-/* Makes one secondary ray per hit, tmin 0. Origins are moved off the surface along its
- * geometric normal, to the side that the ray leaves to, so far that rounding cannot bring the
- * ray back to its own triangle: 2^-18 of the triangle's extent + 2^-22 of the coordinates
- * (kernels/shade/offset.h; cf. Waechter and Binder, Ray Tracing Gems, 2019, chapter 6).
+/* Makes one secondary ray per hit, tmin 0.
+ *
+ * Origin  the point where the ray meets the triangle's plane, found in twice the precision of a
+ *         float and rounded once, on the side that the new ray leaves to: it may be one or two
+ *         ulp of its coordinates off the surface, however large the triangle is and however
+ *         far the ray came (kernels/shade/departure.h). The triangle itself is kept off by its
+ *         number: pass spawned_skip to rsh_traverse and rsh_audit. Without spawned_skip the
+ *         origin moves off by 2^-18 of the triangle's extent as well, so that shadows and
+ *         reflections of what is nearer to a large triangle than that are lost.
+ *         Limits: the corners of a triangle are floats, so a surface is where their rounding
+ *         puts it; at an edge, origins within some ulp of it may be beyond the neighbour; of two
+ *         surfaces nearer to each other than some ulp of their coordinates either may win;
+ *         triangles less than 2^-15 as high as long get their origins within 2^-20 of their
+ *         extent.
  *
  * Reflection, refraction  unit direction, tmax infinite; its weight is the ray's weight times
  *         that of rsh_material, w: 0. A direction that an interpolated normal would send to the

@@ -11,7 +11,11 @@ static float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
 
 /* The power of two that brings a size to 1 .. 2, as far as floats go: products of what is
  * scaled by it neither overflow nor vanish. */
-static float scale_to_one(float size) { return ldexp(1.0f, clamp(-ilogb(size), -125, 126)); }
+static float scale_to_one(float size)
+{
+    const int exponent = clamp(as_int(size) & 0x7f800000, 0x00800000, 0x7e000000);
+    return as_float(0x7f000000 - exponent);
+}
 
 /* Each component within 1.5 ulp (Kahan): `error` is the rounding of the second product. */
 static float3 cross3(float3 a, float3 b)
@@ -24,19 +28,10 @@ static float3 cross3(float3 a, float3 b)
 /* Unit vector for any finite length; 0 for a vector that has no direction. */
 static float3 unit3(float3 v)
 {
-    const float scale = largest3(fabs(v));
-    if (!is_finite3(v) || !(scale > 0.0f)) return (float3)(0.0f);
-    const float3 w = v / scale;
+    const float size = largest3(fabs(v));
+    if (!is_finite3(v) || !(size > 0.0f)) return (float3)(0.0f);
+    const float3 w = scale_to_one(size) * v;
     return w / sqrt(dot3(w, w));
-}
-
-/* a - b rounded, and what the rounding left off, exactly (Knuth's TwoSum). */
-static float3 exact_difference(float3 a, float3 b, float3* rest)
-{
-    const float3 difference = a - b;
-    const float3 minus_b = difference - a;
-    *rest = (a - (difference - minus_b)) - (b + minus_b);
-    return difference;
 }
 
 #endif

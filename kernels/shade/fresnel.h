@@ -13,11 +13,12 @@ typedef struct dielectric {
 
 /* Snell's law: sin = eta sin', hence (eta cos')^2 = eta^2 - sin^2 = (eta - 1)(eta + 1) + cos^2,
  * a form in which nothing cancels near eta = 1. An index that is not positive and finite counts
- * as 1. */
+ * as 1. Beyond 2^60 nothing changes but that squares overflow: all light is reflected. */
 static dielectric dielectric_at(const surface_hit* surface, float index)
 {
     if (!(index > 0.0f) || isinf(index)) index = 1.0f;
     dielectric at;
+    index = clamp(index, 0x1p-60f, 0x1p60f);
     at.eta = surface->is_outside ? index : 1.0f / index;
     at.cosine = fmin(fmax(-dot3(surface->incident, surface->normal), -1.0f), 1.0f);
     at.refracted = sqrt(fmax((at.eta - 1.0f) * (at.eta + 1.0f) + at.cosine * at.cosine, 0.0f));
@@ -33,12 +34,6 @@ static float reflectance(dielectric at)
     const float scaled = at.eta * at.eta * cosine;
     const float along = (scaled - at.refracted) / (scaled + at.refracted);
     return 0.5f * (across * across + along * along);
-}
-
-static float3 reflect_ray(const surface_hit* surface)
-{
-    const float along = dot3(surface->incident, surface->normal);
-    return unit3(surface->incident - 2.0f * along * surface->normal);
 }
 
 /* Meaningless under total internal reflection, where its weight is 0. */

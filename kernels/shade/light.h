@@ -4,7 +4,8 @@
 #ifndef RSH_SHADE_LIGHT_H
 #define RSH_SHADE_LIGHT_H
 
-#include "shade/offset.h"
+#include "shade/grazing.h"
+#include "shade/surface.h"
 
 typedef struct light_arrival {
     float3 direction; /* unit, from the surface to the light */

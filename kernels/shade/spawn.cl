@@ -1,12 +1,15 @@
 /* spawn.cl - one mirror ray or one refracted ray per hit, see rsh_spawn.
  *   rays, hits, weights              in      weights NULL: all 1
  *   spawned_rays, spawned_weights    out     inactive, weight 0, where nothing is spawned
+ *   spawned_skip                     out     the triangle that the ray leaves, or RSH_NO_HIT;
+ *                                            may be NULL
  *   active_count                     in/out  grows by the active rays; may be NULL
  * Shadow rays are shade/spawn_shadow.cl's job.
  */
 #include "lanes/stride.h"
 #include "shade/fresnel.h"
-#include "shade/offset.h"
+#include "shade/grazing.h"
+#include "shade/mirror.h"
 #include "shade/spawned_ray.h"
 
 #ifndef RSH_TRANSMISSION
@@ -47,12 +50,15 @@ static spawned_branch refracted_branch(const surface_hit* surface,
     return branch;
 }
 
-static spawned_branch reflected_branch(const surface_hit* surface,
+static spawned_branch reflected_branch(const surface_buffers* buffers,
+                                       const surface_hit* surface, uint triangle,
+                                       const departure* from,
                                        __global const rsh_material* material)
 {
     spawned_branch branch;
     branch.side = surface->geometric;
-    branch.direction = keep_on_side(reflect_ray(surface), branch.side);
+    branch.direction =
+        keep_on_side(mirror_direction(buffers, surface, triangle, from), branch.side);
     branch.weight = material->reflection.xyz;
     if (RSH_TRANSMISSION && transmits(material)) {
         const float share = reflectance(dielectric_at(surface, material->transmission.w));
@@ -74,7 +80,8 @@ __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
                         uint ray_count, uint is_refracted, float min_weight,
                         __global const rsh_ray* rays, __global const rsh_hit* hits,
                         __global const float4* weights, __global rsh_ray* spawned_rays,
-                        __global float4* spawned_weights, __global uint* active_count)
+                        __global float4* spawned_weights, __global uint* spawned_skip,
+                        __global uint* active_count)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
@@ -87,11 +94,15 @@ __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
         if (may_branch(&buffers, materials, hits[i], is_refracted) &&
             find_surface(&buffers, rays[i], hits[i], &surface)) {
             __global const rsh_material* material = materials + surface.material;
-            const spawned_branch branch = is_refracted ? refracted_branch(&surface, material)
-                                                       : reflected_branch(&surface, material);
+            const departure from = departure_of(&surface, rays[i], hits[i]);
+            const spawned_branch branch =
+                is_refracted
+                    ? refracted_branch(&surface, material)
+                    : reflected_branch(&buffers, &surface, hits[i].primitive, &from, material);
             const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
             const rsh_ray ray =
-                ray_from(leave_surface(&surface, branch.side), branch.direction, INFINITY);
+                ray_from(leave_surface(&surface, &from, branch.side, spawned_skip != 0),
+                         branch.direction, INFINITY);
             if (is_worth(product, min_weight) && is_active(ray)) {
                 spawned = ray;
                 weight = product;
@@ -100,6 +111,7 @@ __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
         }
         spawned_rays[i] = spawned;
         spawned_weights[i] = (float4)(weight, 0.0f);
+        store_skip(spawned_skip, i, spawned, hits[i]);
     }
     add_active(active_count, active);
 }

@@ -1,9 +1,11 @@
 /* spawn_shadow.cl - one ray per hit towards one light, see rsh_spawn.
  *   rays, hits    in
  *   spawned_rays  out     inactive where the light could add nothing, or casts no shadow
+ *   spawned_skip  out     the triangle that the ray leaves, or RSH_NO_HIT; may be NULL
  *   active_count  in/out  grows by the active rays; may be NULL
  */
 #include "lanes/stride.h"
+#include "shade/departure.h"
 #include "shade/light.h"
 #include "shade/spawned_ray.h"
 
@@ -18,11 +20,13 @@ static bool is_lit(__global const rsh_material* material)
 }
 
 /* False also for a light closer to the surface than the origin's offset. */
-static bool shadow_ray(rsh_light light, const surface_hit* surface, rsh_ray* ray)
+static bool shadow_ray(rsh_light light, const surface_hit* surface, rsh_ray seen, rsh_hit hit,
+                       bool is_skipped, rsh_ray* ray)
 {
     light_arrival arrival;
     if (!light.casts_shadow || !light_arrives(light, surface, &arrival)) return false;
-    const float3 origin = leave_surface(surface, surface->geometric);
+    const departure from = departure_of(surface, seen, hit);
+    const float3 origin = leave_surface(surface, &from, surface->geometric, is_skipped);
     if (is_positional(light))
         *ray = ray_from(origin, light.position.xyz - origin, RSH_BEFORE_LIGHT);
     else
@@ -37,7 +41,8 @@ __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
                                __global const rsh_material* materials, uint material_count,
                                __global const rsh_light* lights, uint light, uint ray_count,
                                __global const rsh_ray* rays, __global const rsh_hit* hits,
-                               __global rsh_ray* spawned_rays, __global uint* active_count)
+                               __global rsh_ray* spawned_rays, __global uint* spawned_skip,
+                               __global uint* active_count)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
@@ -48,11 +53,13 @@ __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
         rsh_ray ray;
         surface_hit surface;
         if (find_surface(&buffers, rays[i], hits[i], &surface) &&
-            is_lit(materials + surface.material) && shadow_ray(source, &surface, &ray))
+            is_lit(materials + surface.material) &&
+            shadow_ray(source, &surface, rays[i], hits[i], spawned_skip != 0, &ray))
             ++active;
         else
             ray = inactive_ray();
         spawned_rays[i] = ray;
+        store_skip(spawned_skip, i, ray, hits[i]);
     }
     add_active(active_count, active);
 }

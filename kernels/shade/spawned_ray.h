@@ -20,6 +20,12 @@ static rsh_ray ray_from(float3 origin, float3 direction, float tmax)
     return ray;
 }
 
+/* The triangle that a spawned ray has left. */
+static void store_skip(__global uint* skip, uint i, rsh_ray spawned, rsh_hit hit)
+{
+    if (skip) skip[i] = is_active(spawned) ? hit.primitive : RSH_NO_HIT;
+}
+
 /* One atomic per work-item, which makes a range of rays. */
 static void add_active(__global uint* active_count, uint active)
 {

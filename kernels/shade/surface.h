@@ -4,7 +4,7 @@
 #ifndef RSH_SHADE_SURFACE_H
 #define RSH_SHADE_SURFACE_H
 
-#include "mesh/algebra.h"
+#include "mesh/plane.h"
 
 #ifndef RSH_SMOOTH_NORMAL
 #define RSH_SMOOTH_NORMAL 0 /* 1: normals are interpolated between the vertices */
@@ -22,6 +22,7 @@ typedef struct surface_buffers {
 
 typedef struct surface_hit {
     triangle_points triangle;
+    scaled_edges edges;
     float3 point;     /* on the triangle                                                  */
     float3 geometric; /* unit normal of the triangle, turned to the side the ray comes from */
     float3 normal;    /* unit, for shading, within 90 degrees of `geometric`              */
@@ -33,21 +34,15 @@ typedef struct surface_hit {
 /* Normal of a triangle with counter-clockwise corners, within a few ulp also for slivers: the
  * rounding of the edges, which the cross product would magnify, is put back to first order. 0:
  * no area. */
-static float3 triangle_normal(triangle_points p)
+static float3 triangle_normal(const scaled_edges* edges)
 {
-    float3 rest1, rest2;
-    const float3 edge1 = exact_difference(p.v1, p.v0, &rest1);
-    const float3 edge2 = exact_difference(p.v2, p.v0, &rest2);
-    const float size = fmax(largest3(fabs(edge1)), largest3(fabs(edge2)));
-    if (!(size > 0.0f) || isinf(size)) return (float3)(0.0f);
-    const float scale = scale_to_one(size);
-    const float3 a = scale * edge1, b = scale * edge2;
-    return unit3(cross3(a, b) + (cross3(scale * rest1, b) + cross3(a, scale * rest2)));
+    const float3 a = edges->edge1.high, b = edges->edge2.high;
+    return unit3(cross3(a, b) + (cross3(edges->edge1.low, b) + cross3(a, edges->edge2.low)));
 }
 
 /* The barycentric point, as an offset from a corner: an error of u or v moves it along the
- * triangle only, and the size of the coordinates counts once, in the last sum; see
- * shade/offset.h. */
+ * triangle only, and the size of the coordinates counts once, in the last sum. Good enough to
+ * be lit; rays start at that of shade/departure.h. */
 static float3 triangle_point(triangle_points p, rsh_hit hit)
 {
     return p.v0 + (hit.u * (p.v1 - p.v0) + hit.v * (p.v2 - p.v0));
@@ -86,7 +81,8 @@ static bool find_surface(const surface_buffers* buffers, rsh_ray ray, rsh_hit hi
     if (!load_triangle(buffers->mesh, buffers->vertices, buffers->indices, hit.primitive,
                        &surface->triangle))
         return false;
-    const float3 normal = triangle_normal(surface->triangle);
+    surface->edges = edges_of(surface->triangle);
+    const float3 normal = triangle_normal(&surface->edges);
     surface->incident = unit3(ray.direction_tmax.xyz);
     surface->is_outside = dot3(normal, surface->incident) <= 0.0f;
     surface->geometric = surface->is_outside ? normal : -normal;

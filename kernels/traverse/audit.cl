@@ -1,5 +1,5 @@
 /* audit.cl - traces a sample of rays again by brute force and counts the answers that differ.
- *   rays, hits, occlusion  in
+ *   rays, skip, hits, occlusion  in
  *   report                 in/out  an rsh_audit_report, adds up
  * A work-item gathers rays, one from each of its ranges, and traces RSH_RAYS_PER_ITEM at once.
  */
@@ -41,20 +41,18 @@ static bool differ(rsh_hit a, rsh_hit b)
 }
 
 /* index: of RSH_RAYS_PER_ITEM rays, the first `count` of which there are. */
-static void audit_rays(mesh_view mesh, __global const float* vertices,
-                       __global const uint* indices, __global const rsh_ray* rays,
-                       const uint* index, uint count, __global const rsh_hit* hits,
-                       __global const uint* occlusion, uint occlusion_bit,
-                       __global uint* report)
+static void audit_rays(const triangles_left* left, const uint* index, uint count,
+                       __global const rsh_hit* hits, __global const uint* occlusion,
+                       uint occlusion_bit, __global uint* report)
 {
     item_hits expected;
-    trace_by_force(mesh, vertices, indices, rays, index, &expected);
+    trace_by_force(left, index, &expected);
     uint differences = 0, first_ray = RSH_NO_HIT;
     for (uint i = 0; i < count; ++i) {
         const uint ray = index[i];
         const bool is_hit = expected.primitive[i] != RSH_NO_HIT;
         if (occlusion_bit ? ((occlusion[ray] & occlusion_bit) != 0) == is_hit
-                          : !differ(hits[ray], hit_at(&expected, i, rays[ray])))
+                          : !differ(hits[ray], hit_at(&expected, i, left->rays[ray])))
             continue;
         ++differences;
         first_ray = min(first_ray, ray);
@@ -67,10 +65,11 @@ static void audit_rays(mesh_view mesh, __global const float* vertices,
 
 __kernel void rsh_audit(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const rsh_ray* rays,
-                        uint ray_count, __global const rsh_hit* hits,
+                        __global const uint* skip, uint ray_count, __global const rsh_hit* hits,
                         __global const uint* occlusion, uint occlusion_bit, uint sample,
                         uint seed, __global uint* report)
 {
+    const triangles_left left = {mesh, vertices, indices, rays, skip};
     const strided_range mine = my_elements(sample);
     uint index[RSH_RAYS_PER_ITEM], count = 0;
     for (uint range = mine.begin; range < mine.end || count > 0; range += mine.step) {
@@ -79,8 +78,7 @@ __kernel void rsh_audit(mesh_view mesh, __global const float* vertices,
         if (ray != RSH_NO_RAY) index[count++] = ray;
         if (range < mine.end && count < RSH_RAYS_PER_ITEM) continue;
         for (uint i = count; i < RSH_RAYS_PER_ITEM; ++i) index[i] = RSH_NO_RAY;
-        audit_rays(mesh, vertices, indices, rays, index, count, hits, occlusion, occlusion_bit,
-                   report);
+        audit_rays(&left, index, count, hits, occlusion, occlusion_bit, report);
         count = 0;
     }
 }

@@ -1,4 +1,5 @@
 /* brute_force.cl - every ray against every triangle: the yardstick of all engines.
+ *   skip       in      a triangle per ray that it does not hit; NULL: none
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
  */
@@ -6,8 +7,8 @@
 
 __kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
                               __global const uint* indices, __global const rsh_ray* rays,
-                              uint ray_count, __global rsh_hit* hits, __global uint* occlusion,
-                              uint occlusion_bit)
+                              __global const uint* skip, uint ray_count, __global rsh_hit* hits,
+                              __global uint* occlusion, uint occlusion_bit)
 {
     const uint first = get_global_id(0) * RSH_RAYS_PER_ITEM;
     if (first >= ray_count) return;
@@ -15,7 +16,8 @@ __kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
     for (uint i = 0; i < RSH_RAYS_PER_ITEM; ++i)
         index[i] = first + i < ray_count ? first + i : RSH_NO_RAY;
     item_hits found;
-    trace_by_force(mesh, vertices, indices, rays, index, &found);
+    const triangles_left left = {mesh, vertices, indices, rays, skip};
+    trace_by_force(&left, index, &found);
     for (uint i = 0; i < RSH_RAYS_PER_ITEM && first + i < ray_count; ++i) {
         if (!occlusion_bit)
             hits[first + i] = hit_at(&found, i, rays[first + i]);

@@ -4,7 +4,7 @@
 #ifndef RSH_TRAVERSE_BRUTE_FORCE_H
 #define RSH_TRAVERSE_BRUTE_FORCE_H
 
-#include "mesh/intersect.h"
+#include "mesh/leaving.h"
 #include "rays/types.h"
 #include "tuning.h"
 
@@ -32,24 +32,48 @@ static sheared_rays load_sheared_rays(__global const rsh_ray* rays, const uint* 
                       load_lanes(lanes[3]), load_lanes(lanes[7]));
 }
 
+/* Leaves out what mesh/leaving.h says is no hit. */
+static void drop_left(const triangles_left* left, sheared_rays r, const uint* index,
+                      uint triangle, triangle_points points, lane_hits* hits)
+{
+    const floatv limit =
+        (floatv)(RSH_DOUBTFUL_DEPTH * triangle_extent(points)) * fabs(r.inverse_z);
+    const uint doubtful = RSH_LANE_BITS(hits->t <= limit);
+    uint hit = RSH_LANE_BITS(hits->is_hit), none = 0;
+    for (; hit; hit &= hit - 1) {
+        const uint k = 31 - clz(hit & -hit), skip = left->skip[index[k]];
+        if (skip == triangle ||
+            (skip != RSH_NO_HIT && (doubtful >> k & 1) && is_separated(left, index[k], points)))
+            none |= 1u << k;
+    }
+    hits->is_hit &= ~mask_of_bits(none);
+}
+
+/* The closest hits of a vector of rays, and now this triangle. */
+static void offer(const triangles_left* left, sheared_rays r, const uint* index, uint triangle,
+                  triangle_points points, closest_hits* best)
+{
+    floatv corner[9];
+    broadcast_triangle(points, corner);
+    lane_hits hits = intersect(r, corner);
+    if (left->skip && any_lane(hits.is_hit)) drop_left(left, r, index, triangle, points, &hits);
+    keep_closer(best, hits, triangle);
+}
+
 /* index: of RSH_RAYS_PER_ITEM rays. */
-static void trace_by_force(mesh_view mesh, __global const float* vertices,
-                           __global const uint* indices, __global const rsh_ray* rays,
-                           const uint* index, item_hits* hits)
+static void trace_by_force(const triangles_left* left, const uint* index, item_hits* hits)
 {
     sheared_rays sheared[RSH_VECTORS_PER_ITEM];
     closest_hits best[RSH_VECTORS_PER_ITEM];
     for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
-        sheared[b] = load_sheared_rays(rays, index + b * RSH_WIDTH);
+        sheared[b] = load_sheared_rays(left->rays, index + b * RSH_WIDTH);
         best[b] = no_hits();
     }
-    for (uint i = 0; i < mesh.triangle_count; ++i) {
+    for (uint i = 0; i < left->mesh.triangle_count; ++i) {
         triangle_points p;
-        if (!load_triangle(mesh, vertices, indices, i, &p)) continue;
-        floatv corner[9];
-        broadcast_triangle(p, corner);
+        if (!load_triangle(left->mesh, left->vertices, left->indices, i, &p)) continue;
         for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b)
-            keep_closer(&best[b], intersect(sheared[b], corner), i);
+            offer(left, sheared[b], index + b * RSH_WIDTH, i, p, &best[b]);
     }
     for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
         store_lanes(best[b].t, hits->t + b * RSH_WIDTH);

@@ -4,7 +4,7 @@
 #ifndef RSH_TRAVERSE_PACKET16_H
 #define RSH_TRAVERSE_PACKET16_H
 
-#include "mesh/intersect.h"
+#include "mesh/leaving.h"
 #include "rays/box_node.h"
 
 typedef struct ray_packet {
@@ -18,6 +18,11 @@ typedef struct ray_packet {
     float pad;                 /* of the origins, as in rays/box_node.h */
     uint axis;                 /* kz of all rays; 3: they differ */
     bool is_fit; /* for rays_meeting and single_ray_of: no direction too small to divide by */
+    const triangles_left* left;     /* 0: the rays have left none */
+    uintv skip[RSH_VECTORS];        /* if there is `left`: the triangles that they left */
+    floatv doubtful_t[RSH_VECTORS]; /* no hit behind it is doubtful, as in mesh/leaving.h */
+    const ray_tile* tile;           /* whose block b it is */
+    uint b;
 } ray_packet;
 
 /* kz of the active rays (see sheared_rays), 0 to 2; 3: they differ. */
@@ -33,10 +38,35 @@ static uint common_axis(const ray_packet* packet, uint active)
     return ((is_x | is_y) & active) == 0 ? 2 : 3;
 }
 
-static void load_packet(ray_packet* packet, ray_tile tile, uint b, __global const rsh_ray* rays)
+static void load_skip(ray_packet* packet, ray_tile tile, uint b, __global const uint* skip)
 {
+#if RSH_WIDTH == 16
+    if (is_whole(tile, b)) {
+        packet->skip[0] =
+            (uint16)(vload4(0, skip + ray_of(tile, b, 0)), vload4(0, skip + ray_of(tile, b, 4)),
+                     vload4(0, skip + ray_of(tile, b, 8)),
+                     vload4(0, skip + ray_of(tile, b, 12)));
+        return;
+    }
+#endif
+    uint lane[16];
+    for (uint k = 0; k < 16; ++k) {
+        const uint i = ray_of(tile, b, k);
+        lane[k] = i == RSH_NO_RAY ? RSH_NO_HIT : skip[i];
+    }
+    for (uint v = 0; v < RSH_VECTORS; ++v) packet->skip[v] = load_lanes(lane + RSH_WIDTH * v);
+}
+
+/* tile, left: live as long as the packet. extent: no triangle is larger. */
+static void load_packet(ray_packet* packet, const ray_tile* tile, uint b,
+                        const triangles_left* left, float extent)
+{
+    packet->tile = tile;
+    packet->b = b;
+    packet->left = left->skip ? left : 0;
+    if (packet->left) load_skip(packet, *tile, b, left->skip);
     ray_block given;
-    load_block(tile, b, rays, &given);
+    load_block(*tile, b, left->rays, &given);
     floatv reach[RSH_VECTORS];
     uint tiny = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
@@ -59,6 +89,9 @@ static void load_packet(ray_packet* packet, ray_tile tile, uint b, __global cons
                 greater(select((floatv)(0.0f), fabs(given.row[axis][v]), is_active), reach[v]);
         }
     }
+    for (uint v = 0; v < RSH_VECTORS && packet->left; ++v)
+        packet->doubtful_t[v] =
+            (floatv)(RSH_DOUBTFUL_DEPTH * extent) * fabs(packet->ray[v].inverse_z);
     packet->pad = pad_of(largest_lane(reach));
     packet->axis = common_axis(packet, active_lanes(&given));
     packet->is_fit = tiny == 0;
@@ -158,6 +191,34 @@ static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const 
     return s;
 }
 
+/* Hits without those that mesh/leaving.h says are none, of the lanes whose hit may be doubtful,
+ * a bit each. */
+static intv without_separated(const ray_packet* packet, uint v, const float* at, intv is_hit,
+                              floatv t, uint near)
+{
+    const triangle_points points = {vload3(0, at), vload3(1, at), vload3(2, at)};
+    const floatv limit =
+        (floatv)(RSH_DOUBTFUL_DEPTH * triangle_extent(points)) * fabs(packet->ray[v].inverse_z);
+    uint separated = 0;
+    for (near &= RSH_LANE_BITS(t <= limit); near; near &= near - 1) {
+        const uint k = 31 - clz(near & -near);
+        const uint ray = ray_of(*packet->tile, packet->b, RSH_WIDTH * v + k);
+        if (is_separated(packet->left, ray, points)) separated |= 1u << k;
+    }
+    return is_hit & ~mask_of_bits(separated);
+}
+
+/* Hits with a triangle that the rays have not left. */
+static intv without_left(const ray_packet* packet, uint v, const float* at, uint triangle,
+                         intv is_hit, floatv t)
+{
+    const uintv skip = packet->skip[v];
+    is_hit &= skip != (uintv)(triangle);
+    const uint near =
+        RSH_LANE_BITS(is_hit & (t <= packet->doubtful_t[v]) & (skip != (uintv)(RSH_NO_HIT)));
+    return near ? without_separated(packet, v, at, is_hit, t, near) : is_hit;
+}
+
 /* True if a ray has a closer hit now. Of equal t the lower triangle stays, in whatever order
  * they come. is_any: a ray that hits something is retired. */
 static bool intersect_packet(ray_packet* packet, const triangle_corners* corners, uint triangle,
@@ -169,9 +230,13 @@ static bool intersect_packet(ray_packet* packet, const triangle_corners* corners
         ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, corners->at);
         if (corners->scale != 1.0f) scale_across(&sheared, (floatv)(corners->scale));
         const lane_hits hits = intersect_sheared(r, sheared);
-        const intv is_better =
+        intv is_better =
             hits.is_hit & ((hits.t < r.tmax) | ((uintv)(triangle) < packet->primitive[v]));
         if (!any_lane(is_better)) continue;
+        if (packet->left) {
+            is_better = without_left(packet, v, corners->at, triangle, is_better, hits.t);
+            if (!any_lane(is_better)) continue;
+        }
         changed = true;
         packet->ray[v].tmax = select(r.tmax, is_any ? (floatv)(-1.0f) : hits.t, is_better);
         packet->u[v] = select(packet->u[v], hits.u, is_better);

@@ -70,6 +70,7 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     const cl_ulong rays = ray_count(desc.width, desc.height);
     const Engine& engine = find_engine(desc.engine);
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
+    buffers.optional_in("skip", desc.skip, rays * 4);
     if (engine.node_shape() != RSH_SHAPE_DEFAULT) {
         const NodeShape& shape = find_shape(desc.shape);
         buffers.optional_in("bounds", desc.bounds, bounds_for(desc.shape).bytes(desc.geometry));
@@ -93,6 +94,7 @@ void check_buffers(const Context& context, const rsh_audit_desc& desc) {
     check_buffers(buffers, desc.geometry);
     const cl_ulong rays = desc.ray_count;
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
+    buffers.optional_in("skip", desc.skip, rays * 4);
     if (desc.query == RSH_QUERY_ANY)
         buffers.in("occlusion", desc.occlusion, rays * 4);
     else
@@ -118,6 +120,7 @@ void check_buffers(const Context& context, const rsh_spawn_desc& desc) {
     const cl_ulong rays = desc.ray_count;
     buffers.out("spawned_rays", desc.spawned_rays, rays * sizeof(rsh_ray));
     buffers.optional_out("active_count", desc.active_count, 4);
+    buffers.optional_out("spawned_skip", desc.spawned_skip, rays * 4);
     if (desc.kind == RSH_SPAWN_SHADOW) return;
     buffers.optional_in("weights", desc.weights, rays * 16);
     buffers.out("spawned_weights", desc.spawned_weights, rays * 16);

@@ -51,6 +51,7 @@ void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc&
     const SceneBounds& bounds = bounds_for(shape.id());
     const rsh_geometry& geometry = desc.scene->geometry;
     layout.add_array<cl_uint>("wrong buffers", 1);
+    layout.add_array<cl_uint>("skip", size_t{desc.width} * desc.height);
     if (!desc.bounds) layout.add("bounds", bounds.bytes(geometry));
     layout.add("bound scratch", bounds.scratch(context, geometry, desc.mode).bytes());
     const ray_levels levels = shape.levels(desc.width, desc.height);
@@ -141,6 +142,7 @@ rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
     pass.nodes = scratch_["nodes"];
     pass.hits = at("hits", bounce);
     pass.scratch = scratch_["traverse"];
+    pass.skip = skip();
     return pass;
 }
 
@@ -153,6 +155,7 @@ rsh_audit_desc FrameMemory::audit(cl_uint bounce) const {
     pass.hits = at("hits", bounce);
     pass.sample = desc_.audit_rays;
     pass.report = desc_.audit;
+    pass.skip = bounce > 0 ? skip() : nullptr;
     return pass;
 }
 
@@ -167,6 +170,7 @@ rsh_spawn_desc FrameMemory::spawn_at(cl_uint bounce, cl_uint kind) const {
     pass.weights = bounce > 0 ? at("weights", bounce) : nullptr;
     pass.min_weight = desc_.min_weight;
     pass.active_count = active_count();
+    pass.spawned_skip = skip();
     return pass;
 }
 
@@ -215,6 +219,7 @@ Pass FrameMemory::of_shadow(Pass pass, cl_uint light) const {
     pass.hits = nullptr;
     pass.occlusion = occlusion();
     pass.occlusion_bit = light;
+    pass.skip = skip();
     return pass;
 }
 

@@ -40,6 +40,7 @@ public:
     cl_mem occlusion() const { return scratch_.find("occlusion"); }
     cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
     cl_mem active_count() const { return scratch_["active count"]; }
+    cl_mem skip() const { return scratch_.find("skip"); }
 
 private:
     // The same pass over the shadow rays of a light.

@@ -16,7 +16,7 @@ void spawn_shadow(Recorder& recorder, const rsh_spawn_desc& desc, const Range& r
                     mesh_view_of(scene.geometry), scene.geometry.vertices,
                     scene.geometry.indices, scene.normals, scene.material_ids, scene.materials,
                     scene.material_count, scene.lights, desc.light, desc.ray_count, desc.rays,
-                    desc.hits, desc.spawned_rays, desc.active_count);
+                    desc.hits, desc.spawned_rays, desc.spawned_skip, desc.active_count);
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void spawn(Recorder& recorder, const rsh_spawn_desc& desc) {
                     scene.geometry.indices, scene.normals, scene.material_ids, scene.materials,
                     scene.material_count, desc.ray_count, is_refracted, desc.min_weight,
                     desc.rays, desc.hits, desc.weights, desc.spawned_rays, desc.spawned_weights,
-                    desc.active_count);
+                    desc.spawned_skip, desc.active_count);
 }
 
 }  // namespace rsh

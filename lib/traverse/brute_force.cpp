@@ -28,7 +28,7 @@ public:
         recorder.launch(RSH_STAGE_INTERSECT, {"traverse/brute_force", "rsh_brute_force"},
                         recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
                         mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                        rays, desc.hits, desc.occlusion, occlusion_mask(desc));
+                        desc.skip, rays, desc.hits, desc.occlusion, occlusion_mask(desc));
     }
 };
 

@@ -20,8 +20,8 @@ void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/paper_faithful", "rsh_intersect"},
                     recorder.stream_range(), mesh_view_of(geometry), geometry.vertices,
-                    geometry.indices, desc.rays, pairs, pair_count, desc.hits, desc.occlusion,
-                    occlusion_mask(desc));
+                    geometry.indices, desc.rays, desc.skip, pairs, pair_count, desc.hits,
+                    desc.occlusion, occlusion_mask(desc));
 }
 
 void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {

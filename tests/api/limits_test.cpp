@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "api/struct_size.hpp"
 #include "api/valid_calls.hpp"
 
 namespace {
@@ -194,7 +195,7 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
     takes(valid_.traverse(), 216);
     takes(valid_.frame(), 208);
     takes(valid_.reduce(), 72);
-    EXPECT_EQ(sizeof(rsh_audit_desc), 168u);
+    EXPECT_EQ(rsh::FirstVersion<rsh_audit_desc>::bytes, 168u);
     EXPECT_EQ(sizeof(rsh_geometry), 104u);
     EXPECT_EQ(sizeof(rsh_camera), 96u);
     rsh_scene scene = valid_.scene.desc;

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "api/struct_size.hpp"
 #include "api/valid_calls.hpp"
 #include "support/ways.hpp"
 
@@ -63,7 +64,8 @@ protected:
     void refuses_struct_sizes(Desc desc) {
         EXPECT_EQ(call(static_cast<const Desc*>(nullptr), nullptr), RSH_INVALID_VALUE);
         EXPECT_NE(std::string(rsh_last_error()).find("NULL"), std::string::npos);
-        for (const size_t size : {size_t{0}, sizeof desc - 1, sizeof desc + 8, kAny})
+        const size_t first = rsh::FirstVersion<Desc>::bytes;
+        for (const size_t size : {size_t{0}, first - 1, sizeof desc + 8, kAny})
             refuses<Desc>(desc, [=](Desc& d) { d.struct_size = size; }, RSH_INVALID_VALUE,
                           {"struct_size", std::to_string(size), std::to_string(sizeof desc)});
     }

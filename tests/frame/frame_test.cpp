@@ -87,7 +87,7 @@ private:
             const auto spawned = test::spawn(scene_, rays.rays, hits, spawn);
             if (spawned.active == 0) continue;
             spawned_rays[depth + 1] += spawned.active;
-            const test::Rays next = {spawned.rays, rays.width, rays.height};
+            const test::Rays next = {spawned.rays, rays.width, rays.height, spawned.skip};
             wave(next, closest_hits(mesh_, next), spawned.weights, depth + 1);
         }
     }
@@ -102,7 +102,8 @@ private:
             spawn.light = light;
             const auto spawned = test::spawn(scene_, rays.rays, hits, spawn);
             shadow_rays[depth] += spawned.active;
-            masks = occlusion(mesh_, {spawned.rays, rays.width, rays.height}, masks, light);
+            masks = occlusion(mesh_, {spawned.rays, rays.width, rays.height, spawned.skip},
+                              masks, light);
         }
         return masks;
     }

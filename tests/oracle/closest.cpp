@@ -38,7 +38,8 @@ Answer judge(const std::vector<Found>& found) {
 
 // All blocks against a few rays at a time, so that a block is read from memory once for them.
 void answer_rays(const std::vector<Block>& blocks, const test::Mesh& mesh,
-                 const std::vector<rsh_ray>& rays, size_t first, std::vector<Answer>* answers) {
+                 const std::vector<rsh_ray>& rays, const std::vector<uint32_t>& skip,
+                 size_t first, std::vector<Answer>* answers) {
     const size_t last = std::min(first + kRaysAtOnce, rays.size());
     std::vector<Found> found[kRaysAtOnce];
     std::vector<uint32_t> passed;
@@ -50,6 +51,7 @@ void answer_rays(const std::vector<Block>& blocks, const test::Mesh& mesh,
             for (const uint32_t triangle : passed) {
                 test::Corners corners;
                 if (!mesh.corners(triangle, &corners)) continue;
+                if (!skip.empty() && skip[i] == triangle) continue;
                 const Candidate candidate = intersect(rays[i], corners);
                 if (candidate.possible) found[i - first].push_back({triangle, candidate});
             }
@@ -78,13 +80,14 @@ std::string objection(const Answer& answer, const test::Mesh& mesh, const rsh_ra
 
 }  // namespace
 
-std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& rays) {
+std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& rays,
+                            const std::vector<uint32_t>& skip) {
     const std::vector<Block> blocks = make_blocks(mesh);
     std::vector<Answer> answers(rays.size());
     std::atomic<size_t> next{0};
     const auto work = [&] {
         for (size_t first; (first = next.fetch_add(kRaysAtOnce)) < rays.size();)
-            answer_rays(blocks, mesh, rays, first, &answers);
+            answer_rays(blocks, mesh, rays, skip, first, &answers);
     };
     std::vector<std::thread> threads;
     for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)

@@ -25,7 +25,9 @@ struct Answer {
     bool possible = false;  // a correct routine may report some hit
 };
 
-std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& rays);
+// skip: as test::Rays::skip.
+std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& rays,
+                            const std::vector<uint32_t>& skip = {});
 
 // Every hit is one that a correct float routine may report.
 ::testing::AssertionResult hits_are_correct(const std::vector<Answer>& answers,

@@ -104,6 +104,22 @@ void add_adversarial(std::vector<NamedCase>& cases) {
                          const Mesh mesh = square_triangles(r, tris(200));
                          return Case{mesh, rays_from_afar(r, mesh, size(40) * size(40), 4096)};
                      }});
+    cases.push_back({"LeavingSphere", [](Random& r) {
+                         const Mesh mesh = sphere(small() ? 8 : 24, small() ? 5 : 15);
+                         return Case{mesh, leaving_rays(r, mesh, size(48), size(48))};
+                     }});
+    cases.push_back({"LeavingGrid", [](Random& r) {
+                         const Mesh mesh = grid(small() ? 2 : 4);
+                         return Case{mesh, leaving_rays(r, mesh, size(1009), 1)};
+                     }});
+    cases.push_back({"LeavingDegenerate", [](Random& r) {
+                         const Mesh mesh = degenerate_soup(r, tris(400));
+                         return Case{mesh, leaving_rays(r, mesh, size(40), size(40))};
+                     }});
+    cases.push_back({"LeavingFarFromOrigin", [](Random& r) {
+                         const Mesh mesh = scaled(sphere(8, 5), 1, Float3(900, -2000, 50));
+                         return Case{mesh, leaving_rays(r, mesh, size(40), size(40))};
+                     }});
     cases.push_back({"FarApart", [](Random&) {
                          Mesh mesh;
                          mesh.add({99, -1, 5}, {101, -1, 5}, {100, 1, 5});

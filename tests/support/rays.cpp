@@ -236,6 +236,26 @@ Rays rays_at_edges(Random& random, const Mesh& mesh, uint32_t width, uint32_t he
     });
 }
 
+Rays leaving_rays(Random& random, const Mesh& mesh, uint32_t width, uint32_t height) {
+    std::vector<uint32_t> skip;
+    Rays rays = fill(width, height, [&](uint32_t, uint32_t) {
+        const uint32_t triangle = random.below(mesh.triangle_count());
+        Corners c;
+        if (!mesh.corners(triangle, &c)) c = {};
+        float u = random.unit(), v = random.unit();
+        if (random.chance(0.7f)) u *= random.chance(0.5f) ? 0.0f : 0x1p-22f;
+        if (u + v > 1) v = 1 - u;
+        const Float3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+        const float ulp = 0x1p-23f * max_norm(p);
+        skip.push_back(random.chance(0.9f)   ? triangle
+                       : random.chance(0.5f) ? RSH_NO_HIT
+                                             : random.below(2 * mesh.triangle_count()));
+        return make_ray(p + random.in_cube(2 * ulp), random.direction());
+    });
+    rays.skip = std::move(skip);
+    return rays;
+}
+
 Rays scaled(Rays rays, float scale, Float3 offset) {
     for (rsh_ray& ray : rays.rays) {
         const Float3 o = scale * origin(ray) + offset;

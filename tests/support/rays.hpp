@@ -12,7 +12,8 @@ namespace test {
 struct Rays {
     std::vector<rsh_ray> rays;
     uint32_t width = 0;
-    uint32_t height = 1;  // 1: a list
+    uint32_t height = 1;              // 1: a list
+    std::vector<uint32_t> skip = {};  // a triangle per ray; empty: none for all
 };
 
 rsh_ray make_ray(Float3 origin, Float3 direction, float tmin = 0.0f,
@@ -76,6 +77,10 @@ Float3 point_on_edge(Random& random, const Mesh& mesh);
 
 // At such points, from outside.
 Rays rays_at_edges(Random& random, const Mesh& mesh, uint32_t width, uint32_t height);
+
+// From points of the mesh, a few ulp off, most of them near edges and corners, into all
+// directions; `skip` names the triangle, now and then another one or none.
+Rays leaving_rays(Random& random, const Mesh& mesh, uint32_t width, uint32_t height);
 
 Rays scaled(Rays rays, float scale, Float3 offset = {});
 

@@ -8,7 +8,7 @@ Spawned spawn(const DeviceScene& scene, const std::vector<rsh_ray>& rays,
     const Buffer<rsh_ray> in_rays(rays), out_rays(rays.size());
     const Buffer<rsh_hit> in_hits(hits);
     const Buffer<cl_float4> in_weights(options.weights), out_weights(rays.size());
-    const Buffer<uint32_t> count(std::vector<uint32_t>{1000});
+    const Buffer<uint32_t> count(std::vector<uint32_t>{1000}), skip(rays.size());
     rsh_spawn_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.scene = &scene.desc;
@@ -22,10 +22,13 @@ Spawned spawn(const DeviceScene& scene, const std::vector<rsh_ray>& rays,
     desc.spawned_rays = out_rays.get();
     desc.spawned_weights = options.kind == RSH_SPAWN_SHADOW ? nullptr : out_weights.get();
     desc.active_count = count.get();
+    desc.spawned_skip = options.by_distance ? nullptr : skip.get();
     RSH_CHECK(rsh_spawn(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
     EXPECT_TRUE(out_rays.guards_intact());
     EXPECT_TRUE(out_weights.guards_intact());
-    return {out_rays.read(), out_weights.read(), count.read()[0] - 1000};
+    EXPECT_TRUE(skip.guards_intact());
+    return {out_rays.read(), out_weights.read(), count.read()[0] - 1000,
+            options.by_distance ? std::vector<uint32_t>{} : skip.read()};
 }
 
 std::vector<cl_float4> shade(const DeviceScene& scene, const std::vector<rsh_ray>& rays,

@@ -12,6 +12,7 @@ struct Spawned {
     std::vector<rsh_ray> rays;
     std::vector<cl_float4> weights;  // not for shadow
     uint32_t active = 0;             // as counted on the device
+    std::vector<uint32_t> skip;      // empty: not asked for
 };
 
 struct SpawnOptions {
@@ -19,6 +20,7 @@ struct SpawnOptions {
     uint32_t light = 0;
     float min_weight = 0;
     std::vector<cl_float4> weights;  // empty: all 1
+    bool by_distance = false;        // keeps rays off their triangle without its number
 };
 
 Spawned spawn(const DeviceScene& scene, const std::vector<rsh_ray>& rays,

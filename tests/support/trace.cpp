@@ -20,10 +20,13 @@ void expect_guards(const ::testing::AssertionResult& result, const char* buffer)
 class Traversal {
 public:
     Traversal(const DeviceMesh& mesh, const Rays& rays, const TraceOptions& options)
-        : rays_(rays.rays), context_(options.context ? options.context : device().rsh) {
+        : rays_(rays.rays),
+          skip_(rays.skip),
+          context_(options.context ? options.context : device().rsh) {
         desc.struct_size = sizeof desc;
         desc.geometry = mesh.geometry();
         desc.rays = rays_.get();
+        desc.skip = rays.skip.empty() ? nullptr : skip_.get();
         desc.width = rays.width;
         desc.height = rays.height;
         desc.engine = options.engine;
@@ -101,6 +104,7 @@ private:
     }
 
     Buffer<rsh_ray> rays_;
+    Buffer<uint32_t> skip_;
     rsh_context context_;
     bool own_scratch_ = false;
     std::function<void()> before_batch_;

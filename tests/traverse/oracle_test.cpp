@@ -23,7 +23,7 @@ protected:
 
 TEST_P(OracleTraverse, AcceptsEveryHit) {
     const Case c = make_case();
-    const auto answers = oracle::closest(c.mesh, c.rays.rays);
+    const auto answers = oracle::closest(c.mesh, c.rays.rays, c.rays.skip);
     const auto hits = closest_hits(DeviceMesh(c.mesh), c.rays);
     EXPECT_TRUE(oracle::hits_are_correct(answers, c.mesh, c.rays.rays, hits));
     RecordProperty("ambiguous_permille", int(1000 * oracle::ambiguous_share(answers)));
@@ -35,7 +35,7 @@ TEST_P(OracleTraverse, AcceptsEveryHit) {
 
 TEST_P(OracleTraverse, AcceptsTheOcclusion) {
     const Case c = make_case();
-    const auto answers = oracle::closest(c.mesh, c.rays.rays);
+    const auto answers = oracle::closest(c.mesh, c.rays.rays, c.rays.skip);
     const std::vector<uint32_t> clear(c.rays.rays.size(), 0);
     const auto masks = occlusion(DeviceMesh(c.mesh), c.rays, clear, 31);
     EXPECT_TRUE(oracle::occlusion_is_correct(answers, c.rays.rays, masks, 31));

@@ -1,6 +1,7 @@
 /* intersect_ranges.cl - the last level of the engine `paper`: the 16 rays of a block against
  * the triangles of its range; and what the stream could not hold.
  *   triangles, ranges  in      of the blocks
+ *   skip               in      a triangle per ray that it does not hit; NULL: none
  *   hits               in/out  closest so far; at first those of rsh_intersect_ranges_clear
  *   occlusion          in/out  any: a bit per ray
  * A work-item owns the rays that it writes, and launches follow each other: no atomics.
@@ -24,16 +25,17 @@ __kernel void rsh_intersect_ranges_clear(__global const rsh_ray* rays, uint coun
 /* A work-item takes the blocks of a tile. */
 __kernel void rsh_intersect_ranges(ray_levels shape, mesh_view mesh,
                                    __global const float* vertices, __global const uint* indices,
-                                   __global const rsh_ray* rays, __global const float* bounds,
-                                   __global const float* nodes, __global const uint* triangles,
-                                   __global const uint2* ranges, __global rsh_hit* hits,
-                                   __global uint* occlusion, uint occlusion_bit)
+                                   __global const rsh_ray* rays, __global const uint* skip,
+                                   __global const float* bounds, __global const float* nodes,
+                                   __global const uint* triangles, __global const uint2* ranges,
+                                   __global rsh_hit* hits, __global uint* occlusion,
+                                   uint occlusion_bit)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
     const ray_levels levels = shape;
-    const range_target target = {mesh, vertices,  indices,       rays,
-                                 hits, occlusion, occlusion_bit, bounds};
+    const range_target target = {
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
     const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
@@ -41,7 +43,7 @@ __kernel void rsh_intersect_ranges(ray_levels shape, mesh_view mesh,
         const uint2 range = ranges[node];
         ray_packet packet;
         bool is_changed = false;
-        load_target_packet(&target, tile, b, &packet);
+        load_target_packet(&target, &tile, b, &packet);
         for (uint i = range.x; i < range.x + range.y; ++i)
             is_changed |= offer_triangle(&target, &packet, triangles[i]);
         if (is_changed) store_target_packet(&target, tile, b, &packet);
@@ -64,7 +66,7 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
         bool is_loaded = false, is_changed = false;
         for (uint i = 0; i < gathered->count; ++i) {
             if (!(gathered->met[i] >> b & 1)) continue;
-            if (!is_loaded) load_target_packet(target, tile, b, &packet);
+            if (!is_loaded) load_target_packet(target, &tile, b, &packet);
             is_loaded = true;
             is_changed |= offer_triangle(target, &packet, gathered->triangle[i]);
         }
@@ -77,10 +79,10 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
  * between are skipped. nodes: those of rsh_build. */
 __kernel void rsh_intersect_ranges_finish(
     ray_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
-    __global const uint* indices, __global const rsh_ray* rays, __global const float* bounds,
-    __global const float* nodes, __global const uint* triangles, __global const uint2* ranges,
-    __global const uint* sums, __global rsh_hit* hits, __global uint* occlusion,
-    uint occlusion_bit, __global uint* tally)
+    __global const uint* indices, __global const rsh_ray* rays, __global const uint* skip,
+    __global const float* bounds, __global const float* nodes, __global const uint* triangles,
+    __global const uint2* ranges, __global const uint* sums, __global rsh_hit* hits,
+    __global uint* occlusion, uint occlusion_bit, __global uint* tally)
 {
     const uint me = get_global_id(0);
     if (me >= tile_count(shape)) return;
@@ -88,8 +90,8 @@ __kernel void rsh_intersect_ranges_finish(
     const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;
     const triangle_range range = range_of_parent(step, ranges, ancestor);
-    const range_target target = {mesh, vertices,  indices,       rays,
-                                 hits, occlusion, occlusion_bit, bounds};
+    const range_target target = {
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
     const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
     sibling_nodes blocks;
     load_siblings(&blocks, nodes + RSH_NODES_HEAD_WORDS + (ulong)RSH_GROUP_FLOATS * me);

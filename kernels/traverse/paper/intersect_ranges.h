@@ -9,23 +9,20 @@
 #include "traverse/packet16.h"
 
 typedef struct range_target {
-    mesh_view mesh;
-    __global const float* vertices;
-    __global const uint* indices;
-    __global const rsh_ray* rays;
+    triangles_left left;
     __global rsh_hit* hits;
     __global uint* occlusion;
     uint occlusion_bit;           /* as a mask; 0: closest hits are wanted */
     __global const float* bounds; /* the scene's BVH; ranges name places in its leaves */
 } range_target;
 
-static void load_target_packet(const range_target* target, ray_tile tile, uint b,
+static void load_target_packet(const range_target* target, const ray_tile* tile, uint b,
                                ray_packet* packet)
 {
-    load_packet(packet, tile, b, target->rays);
+    load_packet(packet, tile, b, &target->left, FLT_MAX);
     if (target->occlusion_bit) return;
     for (uint k = 0; k < 16; ++k) {
-        const uint i = ray_of(tile, b, k), v = k / RSH_WIDTH, lane = k % RSH_WIDTH;
+        const uint i = ray_of(*tile, b, k), v = k / RSH_WIDTH, lane = k % RSH_WIDTH;
         if (i == RSH_NO_RAY || target->hits[i].primitive == RSH_NO_HIT) continue;
         const rsh_hit hit = target->hits[i];
         ((float*)&packet->ray[v].tmax)[lane] = hit.t;
@@ -41,7 +38,8 @@ static bool offer_triangle(const range_target* target, ray_packet* packet, uint 
     const uint triangle = triangle_at_place(target->bounds, place);
     if (triangle == RSH_NO_HIT) return false;
     triangle_corners corners;
-    fetch_corners(&corners, target->mesh, target->vertices, target->indices, triangle);
+    fetch_corners(&corners, target->left.mesh, target->left.vertices, target->left.indices,
+                  triangle);
     return intersect_packet(packet, &corners, triangle, target->occlusion_bit != 0);
 }
 

@@ -10,14 +10,11 @@
 #ifndef RSH_TRAVERSE_PAPER_FAITHFUL_CLOSEST_HIT_ATOMIC_H
 #define RSH_TRAVERSE_PAPER_FAITHFUL_CLOSEST_HIT_ATOMIC_H
 
-#include "mesh/intersect.h"
+#include "mesh/leaving.h"
 #include "traverse/paper_faithful/types.h"
 
 typedef struct hit_target {
-    mesh_view mesh;
-    __global const float* vertices;
-    __global const uint* indices;
-    __global const rsh_ray* rays;
+    triangles_left left;
     volatile __global rsh_hit* hits;
     volatile __global uint* occlusion;
     uint occlusion_bit; /* as a mask; 0: closest hits are wanted */
@@ -27,8 +24,9 @@ static bool is_closer(const hit_target* target, uint ray, float t, uint triangle
 {
     triangle_points corners;
     rsh_hit hit;
-    load_triangle(target->mesh, target->vertices, target->indices, best, &corners);
-    intersect_one(target->rays[ray], corners, &hit);
+    load_triangle(target->left.mesh, target->left.vertices, target->left.indices, best,
+                  &corners);
+    intersect_one(target->left.rays[ray], corners, &hit);
     return t < hit.t || (t == hit.t && triangle < best);
 }
 
@@ -54,9 +52,10 @@ static void gather_pairs(const hit_target* target, const stream_pair* pairs, uin
     float lanes[17][RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {
         const stream_pair pair = pairs[i < count ? i : 0];
-        const rsh_ray ray = target->rays[pair.node];
+        const rsh_ray ray = target->left.rays[pair.node];
         triangle_points p;
-        load_triangle(target->mesh, target->vertices, target->indices, pair.triangle, &p);
+        load_triangle(target->left.mesh, target->left.vertices, target->left.indices,
+                      pair.triangle, &p);
         const float16 values =
             (float16)(ray.origin_tmin, ray.direction_tmax, p.v0, p.v1, p.v2.x, p.v2.y);
         float row[16];
@@ -68,6 +67,18 @@ static void gather_pairs(const hit_target* target, const stream_pair* pairs, uin
                           load_lanes(lanes[4]), load_lanes(lanes[5]), load_lanes(lanes[6]),
                           load_lanes(lanes[3]), load_lanes(lanes[7]));
     for (uint f = 0; f < 9; ++f) corner[f] = load_lanes(lanes[8 + f]);
+}
+
+/* Whether mesh/leaving.h says that a pair's hit is none. */
+static bool is_pair_left(const triangles_left* left, stream_pair pair, float t, float inverse_z)
+{
+    const uint skip = left->skip[pair.node];
+    if (skip == pair.triangle) return true;
+    if (skip == RSH_NO_HIT) return false;
+    triangle_points corners;
+    load_triangle(left->mesh, left->vertices, left->indices, pair.triangle, &corners);
+    return t <= RSH_DOUBTFUL_DEPTH * triangle_extent(corners) * inverse_z &&
+           is_separated(left, pair.node, corners);
 }
 
 /* Intersects up to RSH_WIDTH pairs. */
@@ -82,8 +93,12 @@ static void intersect_pairs(const hit_target* target, const stream_pair* pairs, 
     float t[RSH_WIDTH];
     store_lanes(hits.is_hit, is_hit);
     store_lanes(hits.t, t);
+    const triangles_left* left = &target->left;
+    float inverse_z[RSH_WIDTH];
+    store_lanes(fabs(sheared.inverse_z), inverse_z);
     for (uint i = 0; i < count; ++i)
-        if (is_hit[i]) offer_hit(target, pairs[i].node, t[i], pairs[i].triangle);
+        if (is_hit[i] && !(left->skip && is_pair_left(left, pairs[i], t[i], inverse_z[i])))
+            offer_hit(target, pairs[i].node, t[i], pairs[i].triangle);
 }
 
 #endif

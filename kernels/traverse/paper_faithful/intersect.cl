@@ -1,5 +1,6 @@
 /* intersect.cl - the traversal's last step: intersects the (triangle, ray) pairs that survived.
  *   pairs, pair_count  in      level 0 of the stream
+ *   skip               in      a triangle per ray that it does not hit; NULL: none
  *   hits               in/out  closest: .primitive is the best triangle so far, RSH_NO_HIT at
  *                      first
  *   occlusion          in/out  any: a bit per ray
@@ -9,11 +10,12 @@
 
 __kernel void rsh_intersect(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, __global const rsh_ray* rays,
-                            __global const stream_pair* pairs, __global const uint* pair_count,
-                            __global rsh_hit* hits, __global uint* occlusion,
-                            uint occlusion_bit)
+                            __global const uint* skip, __global const stream_pair* pairs,
+                            __global const uint* pair_count, __global rsh_hit* hits,
+                            __global uint* occlusion, uint occlusion_bit)
 {
-    const hit_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const hit_target target = {
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit};
     const uint count = *pair_count;
     const strided_range mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
     for (uint i = mine.begin; i < mine.end; i += mine.step) {

@@ -1,5 +1,6 @@
 /* traverse_walk.cl - finishes, depth first, the pairs of a level that its stream cannot hold.
  *   pairs[limit ...]  in   pairs with nodes of level + 1
+ *   skip              in   a triangle per ray that it does not hit; NULL: none
  *   hits, occlusion   out  as in traverse/paper_faithful/intersect.cl
  * Same tests and same hits as breadth first, in memory that does not grow: a work-item keeps a
  * short list of pairs per level and always continues with the deepest one, so that a list is
@@ -72,13 +73,15 @@ static void walk_down(const hit_target* target, const ray_levels* levels, uint t
 
 __kernel void rsh_traverse_walk(ray_levels shape, uint level, uint limit, mesh_view mesh,
                                 __global const float* vertices, __global const uint* indices,
-                                __global const rsh_ray* rays, __global const float4* bounds,
-                                __global const uint* nodes, __global const stream_pair* pairs,
+                                __global const rsh_ray* rays, __global const uint* skip,
+                                __global const float4* bounds, __global const uint* nodes,
+                                __global const stream_pair* pairs,
                                 __global const uint* pair_count, __global rsh_hit* hits,
                                 __global uint* occlusion, uint occlusion_bit)
 {
     const ray_levels levels = shape;
-    const hit_target target = {mesh, vertices, indices, rays, hits, occlusion, occlusion_bit};
+    const hit_target target = {
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit};
     const uint total = pair_count[level + 1];
     if (total <= limit) return;
     walk_lists walk;

@@ -15,6 +15,8 @@ typedef struct single_ray {
     float k_origin[3], slope_x, slope_y, inverse_z, tmin, tmax;
     float u, v;
     uint primitive;
+    const triangles_left* left; /* 0: the ray has left none */
+    uint skip, index;           /* the triangle left, the ray; if there is `left` */
 } single_ray;
 
 static single_ray single_ray_of(const ray_packet* packet, uint k)
@@ -50,6 +52,11 @@ static single_ray single_ray_of(const ray_packet* packet, uint k)
     ray.u = lane_of(packet->u, k);
     ray.v = lane_of(packet->v, k);
     ray.primitive = ((const uint*)packet->primitive)[k];
+    ray.left = packet->left;
+    if (ray.left) {
+        ray.skip = ((const uint*)packet->skip)[k];
+        ray.index = ray_of(*packet->tile, packet->b, k);
+    }
     return ray;
 }
 
@@ -108,6 +115,24 @@ static floatv scales_of(__global const float* leaf, uint v)
     return triangle_scale(corner);
 }
 
+static triangle_points points_of(__global const float* leaf, uint k)
+{
+    return (triangle_points){(float3)(leaf[k], leaf[16 + k], leaf[32 + k]),
+                             (float3)(leaf[48 + k], leaf[64 + k], leaf[80 + k]),
+                             (float3)(leaf[96 + k], leaf[112 + k], leaf[128 + k])};
+}
+
+/* Whether mesh/leaving.h says that the hit of triangle k of a leaf is none. */
+static bool is_leaf_hit_left(const single_ray* ray, __global const float* leaf, uint k,
+                             uint triangle, float t)
+{
+    if (triangle == ray->skip) return true;
+    if (ray->skip == RSH_NO_HIT) return false;
+    const triangle_points points = points_of(leaf, k);
+    return t <= RSH_DOUBTFUL_DEPTH * triangle_extent(points) * fabs(ray->inverse_z) &&
+           is_separated(ray->left, ray->index, points);
+}
+
 /* As intersect_packet: true if the ray has a closer hit now. */
 static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_scaled,
                            bool is_any)
@@ -131,6 +156,8 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
         for (; met; met &= met - 1) {
             const uint k = 31 - clz(met & -met), triangle = triangles[RSH_WIDTH * v + k];
             if (!(t[k] < ray->tmax || (t[k] == ray->tmax && triangle < ray->primitive)))
+                continue;
+            if (ray->left && is_leaf_hit_left(ray, leaf, RSH_WIDTH * v + k, triangle, t[k]))
                 continue;
             changed = true;
             ray->tmax = t[k];

@@ -19,7 +19,7 @@ typedef struct bvh_view {
 
 typedef struct traversal_state {
     const bvh_view* scene;
-    __global const rsh_ray* rays;
+    const triangles_left* rays;  /* and what they have left */
     __global const float* nodes; /* box_node16 of the tile */
     ray_tile tile;
     bool is_any;
@@ -41,7 +41,7 @@ static ray_packet* packet_of(traversal_state* state, uint b)
 {
     ray_packet* packet = &state->packet[b];
     if (state->loaded >> b & 1) return packet;
-    load_packet(packet, state->tile, b, state->rays);
+    load_packet(packet, &state->tile, b, state->rays, state->scene_size);
     for (uint axis = 0; axis < 3; ++axis)
         packet->intervals.slab[axis] =
             slab_of(state->nodes[16 * axis + b], state->nodes[48 + 16 * axis + b],

@@ -3,6 +3,7 @@
  * block by block where few blocks of the tile meet a box; ray by ray where few rays of a block
  * do.
  *   bvh        in      see bvh/layout.h
+ *   skip       in      a triangle per ray that it does not hit; NULL: none
  *   nodes      in      the blocks of the tiles (rays/build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
@@ -184,7 +185,7 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
     for (uint b = 0; b < 16; ++b) {
         const bool is_loaded = state->loaded >> b & 1;
         if (!state->is_any && !is_loaded)
-            store_misses(state->tile, b, state->rays, hits);
+            store_misses(state->tile, b, state->rays->rays, hits);
         else if (!state->is_any)
             store_packet_hits(&state->packet[b], state->tile, b, hits);
         else if (is_loaded)
@@ -192,8 +193,10 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
     }
 }
 
-__kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, ray_levels shape,
-                                 __global const rsh_ray* rays, __global const float* nodes,
+__kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, mesh_view mesh,
+                                 __global const float* vertices, __global const uint* indices,
+                                 ray_levels shape, __global const rsh_ray* rays,
+                                 __global const uint* skip, __global const float* nodes,
                                  __global rsh_hit* hits, __global uint* occlusion,
                                  uint occlusion_bit, uint is_counting, __global uint* counts,
                                  volatile __global uint* wrong)
@@ -206,7 +209,8 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, r
     scene.leaves = (float)((layout.triangles + 15) / 16);
     traversal_state state;
     state.scene = &scene;
-    state.rays = rays;
+    const triangles_left left = {mesh, vertices, indices, rays, skip};
+    state.rays = &left;
     state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     state.is_any = occlusion_bit != 0;
     const bool is_right = are_right(!layout.triangles || are_made_of(bvh, layout),

@@ -57,9 +57,9 @@ void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const Rang
     recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges_finish"),
                     recorder.serial_range(node_count(level.shape, 2)), level.shape, level.step,
                     mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.bounds, desc.nodes, parents_of(level, streams), streams.ranges,
-                    streams.sums, desc.hits, desc.occlusion, occlusion_mask(desc),
-                    streams.tally);
+                    desc.skip, desc.bounds, desc.nodes, parents_of(level, streams),
+                    streams.ranges, streams.sums, desc.hits, desc.occlusion,
+                    occlusion_mask(desc), streams.tally);
 }
 
 void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
@@ -74,8 +74,8 @@ void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges"),
                     recorder.serial_range(node_count(shape, 2)), shape, mesh_view_of(geometry),
-                    geometry.vertices, geometry.indices, desc.rays, desc.bounds, desc.nodes,
-                    streams.triangles[1], streams.ranges, desc.hits, desc.occlusion,
+                    geometry.vertices, geometry.indices, desc.rays, desc.skip, desc.bounds,
+                    desc.nodes, streams.triangles[1], streams.ranges, desc.hits, desc.occlusion,
                     occlusion_mask(desc));
 }
 

@@ -28,8 +28,8 @@ void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_lev
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_walk"},
                     recorder.stream_range(), levels, level, streams.limit,
                     mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.bounds, desc.nodes, streams.pairs, streams.counts, desc.hits,
-                    desc.occlusion, occlusion_mask(desc));
+                    desc.skip, desc.bounds, desc.nodes, streams.pairs, streams.counts,
+                    desc.hits, desc.occlusion, occlusion_mask(desc));
 }
 
 }  // namespace rsh

@@ -2,6 +2,7 @@
 // (traverse/tiles/traverse_tiles.cl): boxes of the scene front to back, and nothing behind the
 // tile's farthest hit.
 #include "bvh/layout.hpp"
+#include "mesh/mesh.hpp"
 #include "rays/levels.hpp"
 #include "rays/node_shape.hpp"
 #include "traverse/engine.hpp"
@@ -45,9 +46,11 @@ public:
         const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
         recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
                         recorder.serial_range(node_count(shape, 2)),
-                        bvh_layout_of(desc.geometry.triangle_count), bounds, shape, desc.rays,
-                        desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
-                        cl_uint{is_counting}, memory["counts"], recorder.wrong_buffers());
+                        bvh_layout_of(desc.geometry.triangle_count), bounds,
+                        mesh_view_of(desc.geometry), desc.geometry.vertices,
+                        desc.geometry.indices, shape, desc.rays, desc.skip, desc.nodes,
+                        desc.hits, desc.occlusion, occlusion_mask(desc), cl_uint{is_counting},
+                        memory["counts"], recorder.wrong_buffers());
         if (is_counting) count_tests(recorder, memory["counts"]);
     }
 };

@@ -1,0 +1,107 @@
+/* leaving.h - rays that start on a triangle: which hits near their origin are none.
+ *
+ * Such a ray never hits the triangle that it left, which is told by its number. The triangles
+ * around that one pass through the origin, or within rounding of it, and the test of
+ * mesh/intersect.h moves their corners by up to sqrt(2) 11u |.| across the ray (u = 2^-24, |.|:
+ * the farthest component of a corner, from the origin): beside an edge it may see one of them
+ * ahead of a ray that has it behind. Therefore a hit of such a ray is believed only if no
+ * plane separates ray and triangle. A plane through the origin that the ray moves away from,
+ * or in, has the whole ray on one side; a triangle whose three corners are beyond it is not
+ * hit. Two planes are tried, that of the triangle hit and that of the triangle left: the first
+ * one tells where the two meet in a valley, the second where they meet in a ridge or a plane.
+ *
+ * No hit is lost by that: corners count as beyond a plane only farther than the error of that
+ * decision, 2^-42 of their distance (mesh/twofold.h). Nor does it cost where nothing is near.
+ * Spawned rays leave at RSH_GRAZING, 2^-16, or more, so that a point at depth s along the ray is
+ * 2^-16 s or more above the plane left, and is mistaken for one of a triangle below that plane
+ * only while 2^-16 s <= 15.6u |.|, that is s <= 0.061 |.|. A hit at depth s has the corners of
+ * its triangle within s + L, L being the triangle's extent: doubtful are those with s <= L / 15.
+ */
+#ifndef RSH_MESH_LEAVING_H
+#define RSH_MESH_LEAVING_H
+
+#include "mesh/intersect.h"
+#include "mesh/plane.h"
+
+/* Share of a triangle's extent: up to that depth along a ray's largest axis its hit is doubtful,
+ * and is_separated must be asked. */
+#define RSH_DOUBTFUL_DEPTH 0.067f
+
+/* The triangles that rays have left. */
+typedef struct triangles_left {
+    mesh_view mesh;
+    __global const float* vertices;
+    __global const uint* indices;
+    __global const rsh_ray* rays;
+    __global const uint* skip; /* a triangle per ray; 0: no ray has left one */
+} triangles_left;
+
+/* The side of a plane through the origin that the ray moves to: 1 or -1; 0: it stays in it, as
+ * far as rounding tells. */
+static float side_ahead(float3 normal, float3 direction)
+{
+    const float along = dot3(normal, direction);
+    const float error = 0x1p-21f * dot3(fabs(normal), fabs(direction));
+    return along > error ? 1.0f : along < -error ? -1.0f : 0.0f;
+}
+
+static bool is_beyond(const twofold3* normal, float side, float3 origin, float3 corner)
+{
+    const twofold3 to_corner = exact_sum3(corner, -origin);
+    return side * twofold_dot(*normal, to_corner).high <
+           -0x1p-42f * dot3(fabs(normal->high), fabs(to_corner.high));
+}
+
+/* False: a corner of the triangle is ahead of the ray in the plane's direction, sure of it in
+ * floats. With edges a, b a component of the normal errs by 8u |a| |b|, a distance from the plane
+ * by 2^-19 |a| |b| |corner - origin|. */
+static bool may_separate(triangle_points plane, rsh_ray ray, triangle_points triangle)
+{
+    const float3 origin = ray.origin_tmin.xyz, direction = ray.direction_tmax.xyz;
+    const float3 a = plane.v1 - plane.v0, b = plane.v2 - plane.v0;
+    const float3 normal = a.yzx * b.zxy - a.zxy * b.yzx;
+    const float error = 0x1p-18f * largest3(fabs(a)) * largest3(fabs(b));
+    const float along = dot3(normal, direction);
+    if (!(fabs(along) > error * largest3(fabs(direction)))) return true;
+    const float side = along > 0.0f ? 1.0f : -1.0f;
+    const float3 corner[3] = {triangle.v0 - origin, triangle.v1 - origin, triangle.v2 - origin};
+    for (uint i = 0; i < 3; ++i)
+        if (side * dot3(normal, corner[i]) > error * largest3(fabs(corner[i]))) return false;
+    return true;
+}
+
+/* Whether the plane of a triangle, moved to the ray's origin, separates ray and triangle. */
+static bool separates(triangle_points plane, rsh_ray ray, triangle_points triangle)
+{
+    if (!may_separate(plane, ray, triangle)) return false;
+    const twofold3 normal = plane_normal(plane);
+    const float3 origin = ray.origin_tmin.xyz;
+    const float side = side_ahead(normal.high, ray.direction_tmax.xyz);
+    return is_beyond(&normal, side, origin, triangle.v0) &&
+           is_beyond(&normal, side, origin, triangle.v1) &&
+           is_beyond(&normal, side, origin, triangle.v2);
+}
+
+/* Whether the hit of a ray is none. */
+static bool is_separated(const triangles_left* left, uint ray, triangle_points hit)
+{
+    const uint skip = left->skip[ray];
+    triangle_points from;
+    return separates(hit, left->rays[ray], hit) ||
+           (skip < left->mesh.triangle_count &&
+            load_triangle(left->mesh, left->vertices, left->indices, skip, &from) &&
+            separates(from, left->rays[ray], hit));
+}
+
+static float triangle_extent(triangle_points p)
+{
+    return largest3(fmax(p.v0, fmax(p.v1, p.v2)) - fmin(p.v0, fmin(p.v1, p.v2)));
+}
+
+/* The mask that has these bits. */
+static intv mask_of_bits(uint bits)
+{
+    return (((intv)((int)bits) >> RSH_LANES) & (intv)(1)) != (intv)(0);
+}
+
+#endif

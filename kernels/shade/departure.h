@@ -1,0 +1,116 @@
+/* departure.h - where a ray that leaves a surface starts: on its side of the triangle that it
+ * leaves, however the triangle is scaled and wherever it lies. Makes no ray.
+ *
+ * The ray does not hit that triangle, which is told by its number, nor what lies behind the
+ * triangle's plane (mesh/leaving.h). So the origin only has to be on the right side of the plane:
+ * farther from it than the error of the point, and once more, for the test that decides it. The
+ * point's rounding is known. If it lies too low, it is moved along the coordinate in which the
+ * normal is longest, and rounded up there: two ulp at most.
+ *
+ * A ray whose triangle is not told by number must be kept off it by distance. Seen from a point
+ * above the triangle, corners lie within M <= L + distance on each axis (L: the triangle's
+ * extent, u = 2^-24); the test of mesh/intersect.h moves them by 11uM on two axes, by sqrt(2)
+ * 11uM along the normal at most, and with them every point between them. The depth errs by
+ * 2^-20 M, which counts along the ray: sqrt(3) 2^-20 M at most. Together below 2.8 * 2^-20 M:
+ * 2^-18 L suffices.
+ *
+ * What this cannot do: where two triangles meet at an edge, an origin within some ulp of the
+ * scene's coordinates of that edge may be on the wrong side of the other one; and what is nearer
+ * to the surface than that is not resolved. Of a triangle much larger than its distance from
+ * the origin of coordinates, the corners' own rounding decides where it is.
+ */
+#ifndef RSH_SHADE_DEPARTURE_H
+#define RSH_SHADE_DEPARTURE_H
+
+#include "shade/surface.h"
+
+typedef struct departure {
+    twofold3 normal;  /* of the triangle, of any length */
+    float3 direction; /* of the ray that arrived, scaled by a power of two to 1 .. 2 */
+    float3 point;     /* that it hit */
+    float3 rest;      /* what rounding left off the point */
+    float error;      /* how far from the triangle's plane point + rest may lie */
+} departure;
+
+/* As in shade/surface.h. Edges err by u = 2^-24, products by u, their sum by u, and u + v <= 1:
+ * with the triangle's extent L the offset errs by 3uL on each axis, and the sum with the corner
+ * is exact. */
+static void take_barycentric_point(const surface_hit* surface, rsh_hit hit, departure* from)
+{
+    const triangle_points p = surface->triangle;
+    const twofold3 point = exact_sum3(p.v0, hit.u * (p.v1 - p.v0) + hit.v * (p.v2 - p.v0));
+    from->point = point.high;
+    from->rest = point.low;
+    from->error = 0x1p-21f * surface->edges.extent;
+}
+
+/* The point where the ray meets the triangle's plane, rounded once: the hit's t leads near it,
+ * and the distance from the plane that is left is taken off along the ray. So neither the
+ * size of the triangle nor the length of the ray counts, as they do in t, u and v.
+ *
+ * What is left errs by 2^-42 of the size of its terms (mesh/twofold.h): a component of the
+ * normal by 2^-39, as edges are below 2; the normal by 2^-38; its product with the way from v0,
+ * sqrt(3) L at most, by 2^-37 L; the distance by 2^-36 L / |normal| with all else. And what is
+ * taken off errs by the share that `along` does, 4u of its terms. Slivers and rays along the
+ * plane, of which all that says little, keep the barycentric point. */
+static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departure* from)
+{
+    const float3 d = from->direction;
+    const twofold3 path = exact_product3((float3)(t), d);
+    const twofold3 near = exact_sum3(ray.origin_tmin.xyz, path.high);
+    const float3 near_rest = near.low + path.low;
+    twofold3 from_v0 = exact_sum3(near.high, -surface->triangle.v0);
+    from_v0.low += near_rest;
+    const float3 normal = from->normal.high;
+    const float distance = twofold_dot(from->normal, from_v0).high;
+    const float along = dot3(normal, d);
+    const twofold3 point = exact_sum3(near.high, near_rest - distance / along * d);
+    from->point = point.high;
+    from->rest = point.low;
+    const float share = 0x1p-22f * dot3(fabs(normal), fabs(d)) / fabs(along);
+    from->error = (0x1p-36f * surface->edges.extent + share * fabs(distance)) /
+                  sqrt(dot3(normal, normal));
+    return is_finite3(point.high) && is_finite3(point.low) &&
+           from->error <= 0x1p-21f * surface->edges.extent;
+}
+
+static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit hit)
+{
+    departure from;
+    const float scale = scale_to_one(largest3(fabs(ray.direction_tmax.xyz)));
+    from.direction = scale * ray.direction_tmax.xyz;
+    from.normal = twofold_cross(surface->edges.edge1, surface->edges.edge2);
+    if (!find_point(surface, ray, hit.t / scale, &from))
+        take_barycentric_point(surface, hit, &from);
+    return from;
+}
+
+/* At least `missing` farther along the axis in which `side` is longest. */
+static float3 raised(float3 origin, float3 side, float missing)
+{
+    const float3 size = fabs(side);
+    const float shift = missing / largest3(size);
+    const float3 up = copysign((float3)(shift), side) +
+                      copysign(0x1p-24f * (fabs(origin) + 2.0f * shift), side);
+    if (size.x >= size.y && size.x >= size.z)
+        origin.x += up.x;
+    else if (size.y >= size.z)
+        origin.y += up.y;
+    else
+        origin.z += up.z;
+    return origin;
+}
+
+/* `side`: the geometric normal, towards the side that the ray leaves to. is_skipped: the ray
+ * will not hit the triangle. */
+static float3 leave_surface(const surface_hit* surface, const departure* from, float3 side,
+                            bool is_skipped)
+{
+    const float margin =
+        2.0f * from->error + 0x1p-124f + (is_skipped ? 0.0f : 0x1p-18f * surface->edges.extent);
+    const float3 origin = from->point + margin * side;
+    const float missing = margin - dot3(side, (origin - from->point) - from->rest);
+    return missing > 0.0f ? raised(origin, side, missing) : origin;
+}
+
+#endif
