@@ -10,21 +10,14 @@ cl_ulong end_of(cl_ulong offset, cl_ulong bytes) {
     return offset > ~cl_ulong{0} - bytes ? ~cl_ulong{0} : offset + bytes;
 }
 
-std::string range_text(cl_ulong begin, cl_ulong end) {
-    return std::to_string(begin) + " .. " + std::to_string(end);
-}
-
 void check_size(const Context& context, const char* field, const cl::Buffer& buffer,
                 cl_ulong bytes) {
     if (buffer.getInfo<CL_MEM_CONTEXT>()() != context.cl())
-        throw Error(RSH_INVALID_VALUE, std::string(field) +
-                                           ": is of another cl_context, must be of the "
-                                           "rsh_context's");
+        throw Error(RSH_INVALID_VALUE, field,
+                    ": is of another cl_context, must be of the rsh_context's");
     const cl_ulong actual = buffer.getInfo<CL_MEM_SIZE>();
     if (actual < bytes)
-        throw Error(RSH_BUFFER_TOO_SMALL, std::string(field) + ": holds " +
-                                              std::to_string(actual) + " bytes, needs " +
-                                              std::to_string(bytes));
+        throw Error(RSH_BUFFER_TOO_SMALL, field, ": holds ", actual, " bytes, needs ", bytes);
 }
 
 }  // namespace
@@ -52,9 +45,8 @@ void Buffers::optional_out(const char* field, cl_mem buffer, cl_ulong bytes) {
 void Buffers::scratch(cl_mem buffer, size_t bytes) {
     if (buffer) out("scratch", buffer, bytes);
     if (bytes > context_.caps.max_allocation)
-        throw Error(RSH_UNSUPPORTED, "scratch: needs " + std::to_string(bytes) +
-                                         " bytes, the device allocates at most " +
-                                         std::to_string(context_.caps.max_allocation));
+        throw Error(RSH_UNSUPPORTED, "scratch: needs ", bytes,
+                    " bytes, the device allocates at most ", context_.caps.max_allocation);
 }
 
 void Buffers::add(const char* field, cl_mem buffer, cl_ulong offset, cl_ulong bytes,
@@ -66,10 +58,9 @@ void Buffers::add(const char* field, cl_mem buffer, cl_ulong offset, cl_ulong by
     for (const Use& other : uses_)
         if ((is_written || other.is_written) && other.root == span.root() &&
             begin < other.end && other.begin < end)
-            throw Error(RSH_INVALID_VALUE, std::string(field) + ": is bytes " +
-                                               range_text(begin, end) +
-                                               " of a buffer, must not overlap " + other.field +
-                                               ", bytes " + range_text(other.begin, other.end));
+            throw Error(RSH_INVALID_VALUE, field, ": is bytes ", begin, " .. ", end,
+                        " of a buffer, must not overlap ", other.field, ", bytes ", other.begin,
+                        " .. ", other.end);
     uses_.push_back({field, span.root(), begin, end, is_written});
 }
 

@@ -3,7 +3,7 @@
 namespace rsh {
 
 void require_not_null(const void* pointer, const char* field) {
-    if (!pointer) throw Error(RSH_INVALID_VALUE, std::string(field) + ": is NULL, must not be");
+    if (!pointer) throw Error(RSH_INVALID_VALUE, field, ": is NULL, must not be");
 }
 
 Context& checked_context(rsh_context context) {

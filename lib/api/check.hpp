@@ -4,7 +4,6 @@
 
 #include <rsh/rsh.h>
 
-#include <string>
 #include <type_traits>
 
 #include "api/struct_size.hpp"
@@ -13,12 +12,12 @@
 
 namespace rsh {
 
-// `actual` stands for the field's value in the message; any type that std::to_string takes.
-template <class Number>
-void require(bool holds, const char* field, Number actual, const std::string& required) {
+// `actual` stands for the field's value in the message, `required` are the parts of what it must
+// be.
+template <class Number, class... Required>
+void require(bool holds, const char* field, Number actual, const Required&... required) {
     if (!holds)
-        throw Error(RSH_INVALID_VALUE, std::string(field) + ": is " + std::to_string(actual) +
-                                           ", must be " + required);
+        throw Error(RSH_INVALID_VALUE, field, ": is ", actual, ", must be ", required...);
 }
 
 void require_not_null(const void* pointer, const char* field);
@@ -26,10 +25,11 @@ void require_not_null(const void* pointer, const char* field);
 template <class Struct>
 void check_struct(const Struct* callers, const char* name, const char* size_field) {
     require_not_null(callers, name);
-    const std::string last = std::to_string(sizeof(Struct));
-    const size_t first = FirstVersion<Struct>::bytes;
-    require(is_known_size<Struct>(callers->struct_size), size_field, callers->struct_size,
-            first == sizeof(Struct) ? last : std::to_string(first) + " .. " + last);
+    const size_t given = callers->struct_size, first = FirstVersion<Struct>::bytes;
+    if (first == sizeof(Struct))
+        require(given == first, size_field, given, first);
+    else
+        require(is_known_size<Struct>(given), size_field, given, first, " .. ", sizeof(Struct));
 }
 
 template <class Desc, class = void>

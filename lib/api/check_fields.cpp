@@ -13,8 +13,8 @@ void check_vector(const char* field, const rsh_float4& v) {
 }
 
 void check_budget(size_t budget) {
-    require(budget == 0 || budget >= RSH_MIN_BUDGET, "budget", budget,
-            "0 or at least " + std::to_string(RSH_MIN_BUDGET));
+    require(budget == 0 || budget >= RSH_MIN_BUDGET, "budget", budget, "0 or at least ",
+            RSH_MIN_BUDGET);
 }
 
 void check_min_weight(float weight) {

@@ -13,7 +13,7 @@ namespace rsh {
 namespace {
 
 void check_side(const char* field, cl_uint side) {
-    require(side >= 1 && side <= kMaxSide, field, side, "1 .. " + std::to_string(kMaxSide));
+    require(side >= 1 && side <= kMaxSide, field, side, "1 .. ", kMaxSide);
 }
 
 void check_axis(const char* field, const rsh_float4& v) {
@@ -56,8 +56,8 @@ void check_shape(const rsh_frame_desc& desc) {
     check_camera(desc.camera);
     check_side("width", desc.width);
     check_side("height", desc.height);
-    require(desc.bounces <= RSH_MAX_LEVELS, "bounces", desc.bounces,
-            "at most " + std::to_string(RSH_MAX_LEVELS));
+    require(desc.bounces <= RSH_MAX_LEVELS, "bounces", desc.bounces, "at most ",
+            RSH_MAX_LEVELS);
     check_min_weight(desc.min_weight);
     const Engine& engine = find_engine(desc.engine);
     if (desc.shape != RSH_SHAPE_DEFAULT) check_node_shape(engine, desc.shape);

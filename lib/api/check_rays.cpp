@@ -12,17 +12,15 @@ namespace {
 // A grid, or a list when height is 0 or 1.
 void check_ray_grid(cl_uint width, cl_uint height) {
     if (height <= 1) {
-        require(width <= kMaxRays, "width", width, "at most " + std::to_string(kMaxRays));
+        require(width <= kMaxRays, "width", width, "at most ", kMaxRays);
         return;
     }
-    require(width >= 1 && width <= kMaxSide, "width", width,
-            "1 .. " + std::to_string(kMaxSide) + " in a grid");
-    require(height <= kMaxSide, "height", height, "at most " + std::to_string(kMaxSide));
+    require(width >= 1 && width <= kMaxSide, "width", width, "1 .. ", kMaxSide, " in a grid");
+    require(height <= kMaxSide, "height", height, "at most ", kMaxSide);
 }
 
 void check_ray_count(cl_uint ray_count) {
-    require(ray_count <= kMaxRays, "ray_count", ray_count,
-            "at most " + std::to_string(kMaxRays));
+    require(ray_count <= kMaxRays, "ray_count", ray_count, "at most ", kMaxRays);
 }
 
 template <class Desc>
@@ -108,7 +106,7 @@ void check_shape(const rsh_spawn_desc& desc) {
     check_ray_count(desc.ray_count);
     if (desc.kind == RSH_SPAWN_SHADOW)
         require(desc.light < desc.scene->light_count, "light", desc.light,
-                "below scene.light_count = " + std::to_string(desc.scene->light_count));
+                "below scene.light_count = ", desc.scene->light_count);
     else
         check_min_weight(desc.min_weight);
 }

@@ -16,8 +16,7 @@ void check_shape(const rsh_reduce_desc& desc) {
     const cl_uint bytes = desc.element_bytes;
     require(bytes == 4 || bytes == 8 || bytes == 12 || bytes == 16, "element_bytes", bytes,
             "4, 8, 12 or 16");
-    require(desc.count <= kMaxElements, "count", desc.count,
-            "at most " + std::to_string(kMaxElements));
+    require(desc.count <= kMaxElements, "count", desc.count, "at most ", kMaxElements);
 }
 
 void check_buffers(const Context& context, const rsh_reduce_desc& desc) {

@@ -36,7 +36,7 @@ void check_image_buffers(Buffers& buffers, const rsh_scene& scene) {
 
 void check_shape(const rsh_geometry& geometry) {
     require(geometry.triangle_count < kMaxTriangles, "geometry.triangle_count",
-            geometry.triangle_count, "below " + std::to_string(kMaxTriangles));
+            geometry.triangle_count, "below ", kMaxTriangles);
     const cl_ulong stride = stride_of(geometry);
     require(stride >= 12 && stride % 4 == 0, "geometry.vertex_stride", stride,
             "0 or a multiple of 4, at least 12");
@@ -63,7 +63,7 @@ void check_shape(const rsh_scene& scene) {
     require(scene.material_count >= 1, "scene.material_count", scene.material_count,
             "at least 1");
     require(scene.light_count <= RSH_MAX_LIGHTS, "scene.light_count", scene.light_count,
-            "at most " + std::to_string(RSH_MAX_LIGHTS));
+            "at most ", RSH_MAX_LIGHTS);
     require((scene.features & ~RSH_FEATURE_ALL) == 0, "scene.features", scene.features,
             "made of RSH_FEATURE_ bits");
     check_images(scene);

@@ -104,22 +104,22 @@ const char* status_text(rsh_status status) {
 }
 
 template <class Choice>
-const char* name_of(const std::vector<const Choice*>& choices, cl_uint id) {
+const char* name_of(const Choices<Choice>& choices, cl_uint id) {
     for (const Choice* choice : choices)
         if (choice->id() == id) return choice->name();
     return nullptr;
 }
 
 template <class Choice>
-cl_uint id_of(const std::vector<const Choice*>& choices, const char* name) {
+cl_uint id_of(const Choices<Choice>& choices, const char* name) {
     require_not_null(name, "name");
-    std::string known;
+    char known[512];
+    Text list(known, sizeof known);
     for (const Choice* choice : choices) {
         if (std::strcmp(choice->name(), name) == 0) return choice->id();
-        known += std::string(known.empty() ? "" : ", ") + choice->name();
+        list.add(choice == &choices.front() ? "" : ", ", choice->name());
     }
-    throw Error(RSH_INVALID_VALUE,
-                std::string("name: is \"") + name + "\", must be one of " + known);
+    throw Error(RSH_INVALID_VALUE, "name: is \"", name, "\", must be one of ", known);
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* materials,
         if (scene->material_count) rsh::require_not_null(materials, "materials");
         if (scene->light_count) rsh::require_not_null(lights, "lights");
         rsh::require(scene->light_count <= RSH_MAX_LIGHTS, "scene.light_count",
-                     scene->light_count, "at most " + std::to_string(RSH_MAX_LIGHTS));
+                     scene->light_count, "at most ", RSH_MAX_LIGHTS);
         rsh::check_host_copies(*scene, materials, lights);
         rsh_scene found = rsh::widened(scene);
         rsh::find_features(found, materials, lights);

@@ -11,8 +11,7 @@ const SceneBounds& sphere_bounds();
 const SceneBounds& bounds_for(cl_uint shape) {
     for (const SceneBounds* bounds : {&bvh16_bounds(), &sphere_bounds()})
         if (shape == bounds->shape() || shape == RSH_SHAPE_DEFAULT) return *bounds;
-    throw Error(RSH_INVALID_VALUE,
-                "shape: is " + std::to_string(shape) + ", must be RSH_SHAPE_...");
+    throw Error(RSH_INVALID_VALUE, "shape: is ", shape, ", must be RSH_SHAPE_...");
 }
 
 void bound(Recorder& recorder, const rsh_bound_desc& desc) {

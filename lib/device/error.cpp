@@ -7,7 +7,6 @@
 namespace rsh {
 namespace {
 
-// Fixed size: reporting a failure must not fail for want of memory.
 constexpr size_t kMessageBytes = 16384;
 thread_local char message_of_thread[kMessageBytes] = "";
 
@@ -63,9 +62,8 @@ constexpr Code kCodes[] = {
 };
 #undef RSH_CODE
 
-rsh_status fail(rsh_status status, const std::string& message) noexcept {
-    set_last_error(message);
-    return status;
+rsh_status fail(rsh_status status, const char* message) noexcept {
+    return Error(status, message).status();
 }
 
 }  // namespace
@@ -74,13 +72,12 @@ const char* last_error() noexcept {
     return message_of_thread;
 }
 
-void set_last_error(const std::string& message) noexcept {
-    const size_t length = message.copy(message_of_thread, kMessageBytes - 1);
-    message_of_thread[length] = '\0';
-}
-
 void clear_last_error() noexcept {
     message_of_thread[0] = '\0';
+}
+
+Text new_error_text() noexcept {
+    return {message_of_thread, kMessageBytes};
 }
 
 const char* opencl_error_name(cl_int code) noexcept {
@@ -89,17 +86,21 @@ const char* opencl_error_name(cl_int code) noexcept {
     return nullptr;
 }
 
+Error opencl_error(cl_int code, const char* call) noexcept {
+    const char* const name = opencl_error_name(code);
+    return name ? Error(code, call, " failed: ", name) : Error(code, call, " failed: ", code);
+}
+
 rsh_status guarded_call(void (*body)(void*), void* argument) noexcept {
     clear_last_error();
     try {
         body(argument);
+        clear_last_error();  // of what failed and did not matter
         return RSH_SUCCESS;
     } catch (const Error& error) {
-        return fail(error.status(), error.what());
+        return error.status();
     } catch (const cl::Error& error) {
-        const char* name = opencl_error_name(error.err());
-        return fail(error.err(), std::string(error.what()) +
-                                     " failed: " + (name ? name : std::to_string(error.err())));
+        return opencl_error(error.err(), error.what()).status();
     } catch (const std::bad_alloc&) {
         return fail(RSH_OUT_OF_MEMORY, "the host is out of memory");
     } catch (const std::exception& error) {

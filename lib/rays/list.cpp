@@ -8,17 +8,16 @@ const NodeShape& box_shape();
 const NodeShape& cone_shape();
 
 // The first one is the default.
-const std::vector<const NodeShape*>& node_shapes() {
-    static const std::vector<const NodeShape*> all = {&box_shape(), &cone_shape()};
+Choices<NodeShape> node_shapes() {
+    static const NodeShape* const all[] = {&box_shape(), &cone_shape()};
     return all;
 }
 
 const NodeShape& find_shape(cl_uint id) {
-    if (id == RSH_SHAPE_DEFAULT) return *node_shapes().front();
+    if (id == RSH_SHAPE_DEFAULT) return node_shapes().front();
     for (const NodeShape* shape : node_shapes())
         if (shape->id() == id) return *shape;
-    throw Error(RSH_INVALID_VALUE,
-                "shape: is " + std::to_string(id) + ", must be RSH_SHAPE_...");
+    throw Error(RSH_INVALID_VALUE, "shape: is ", id, ", must be RSH_SHAPE_...");
 }
 
 void build(Recorder& recorder, const rsh_build_desc& desc) {

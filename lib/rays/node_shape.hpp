@@ -2,8 +2,7 @@
 // leave the same hits; list.cpp knows which ones there are.
 #pragma once
 
-#include <vector>
-
+#include "device/choices.hpp"
 #include "device/cl/recorder.hpp"
 #include "device/layout.hpp"
 #include "rays/types.h"
@@ -21,7 +20,7 @@ public:
     virtual void build(Recorder& recorder, const rsh_build_desc& desc) const = 0;
 };
 
-const std::vector<const NodeShape*>& node_shapes();
+Choices<NodeShape> node_shapes();
 const NodeShape& find_shape(cl_uint id);  // throws; RSH_SHAPE_DEFAULT: box
 
 // Builds the hierarchy over the rays.

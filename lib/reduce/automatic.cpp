@@ -1,6 +1,7 @@
 // automatic.cpp - picks a strategy for a stream: by the device and by the longest that the
 // stream may be, here; by how much of a tile is kept, in the kernels (reduce/range.h). Never
 // one that the self-test found wrong.
+#include <array>
 #include <stdexcept>
 
 #include "device/error.hpp"
@@ -17,10 +18,10 @@ namespace {
 // Up to here one launch by one core beats two.
 constexpr cl_uint kShort = 1u << 16;
 
-std::vector<const Strategy*> preferred(const Context& context, cl_uint count) {
-    if (!has_single_items(context)) return {&scan_scatter(), &lookback(), &chunk()};
-    if (count <= kShort) return {&chunk(), &lookback(), &scan_scatter()};
-    return {&lookback(), &chunk(), &scan_scatter()};
+std::array<const Strategy*, 3> preferred(const Context& context, cl_uint count) {
+    if (!has_single_items(context)) return {{&scan_scatter(), &lookback(), &chunk()}};
+    if (count <= kShort) return {{&chunk(), &lookback(), &scan_scatter()}};
+    return {{&lookback(), &chunk(), &scan_scatter()}};
 }
 
 class Automatic final : public Strategy {

@@ -7,8 +7,8 @@ namespace rsh {
 #include "reduce/list.inc"
 #undef RSH_ROW
 
-const std::vector<const Strategy*>& strategies() {
-    static const std::vector<const Strategy*> all = {
+Choices<Strategy> strategies() {
+    static const Strategy* const all[] = {
 #define RSH_ROW(strategy) &strategy(),
 #include "reduce/list.inc"
 #undef RSH_ROW
@@ -20,17 +20,16 @@ const Strategy& find_strategy(cl_uint id) {
     if (id == RSH_STRATEGY_DEFAULT) return automatic();
     for (const Strategy* strategy : strategies())
         if (strategy->id() == id) return *strategy;
-    throw Error(RSH_INVALID_VALUE,
-                "strategy: is " + std::to_string(id) + ", must be RSH_STRATEGY_...");
+    throw Error(RSH_INVALID_VALUE, "strategy: is ", id, ", must be RSH_STRATEGY_...");
 }
 
 cl_uint chosen_strategy(const Context& context, cl_uint id, cl_uint count) {
     const cl_uint unsafe = context.unsafe_strategies;
     const Strategy& strategy = find_strategy(id).chosen(context, count, unsafe);
     if (unsafe >> strategy.id() & 1)
-        throw Error(RSH_UNSUPPORTED, std::string("strategy: is ") + strategy.name() +
-                                         ", which rsh_device_selftest found to be wrong on "
-                                         "this device; must be another one");
+        throw Error(RSH_UNSUPPORTED, "strategy: is ", strategy.name(),
+                    ", which rsh_device_selftest found to be wrong on this device; must be "
+                    "another one");
     return strategy.id();
 }
 

@@ -4,8 +4,7 @@
 // and the benchmark pick it up.
 #pragma once
 
-#include <vector>
-
+#include "device/choices.hpp"
 #include "device/cl/recorder.hpp"
 #include "device/cl/scratch.hpp"
 
@@ -52,7 +51,7 @@ public:
                          const Scratch& scratch) const = 0;
 };
 
-const std::vector<const Strategy*>& strategies();
+Choices<Strategy> strategies();
 const Strategy& find_strategy(cl_uint id);  // throws
 // The strategy that a call names, or `auto` for it, unless rsh_device_selftest found it wrong
 // on this context's device. Asked once per call: its answer may change at any time.

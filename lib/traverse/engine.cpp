@@ -26,9 +26,8 @@ void check_node_shape(const Engine& engine, cl_uint shape) {
     const NodeShape& given = find_shape(shape);
     const cl_uint taken = engine.node_shape();
     if (taken == RSH_SHAPE_DEFAULT || taken == given.id()) return;
-    throw Error(RSH_INVALID_VALUE, std::string("shape: is ") + given.name() + ", must be " +
-                                       find_shape(taken).name() + " with engine " +
-                                       engine.name());
+    throw Error(RSH_INVALID_VALUE, "shape: is ", given.name(), ", must be ",
+                find_shape(taken).name(), " with engine ", engine.name());
 }
 
 void reserve_bounds(Layout& scratch, const Context& context, const rsh_traverse_desc& desc,
@@ -53,8 +52,7 @@ cl_mem make_bounds(Recorder& recorder, const rsh_traverse_desc& desc, const Scra
 
 void report_progress(const rsh_traverse_desc& desc, cl_uint batch, cl_uint batch_count) {
     if (desc.progress && desc.progress(batch, batch_count, desc.progress_user))
-        throw Error(RSH_CANCELLED,
-                    "progress: asked to stop before batch " + std::to_string(batch));
+        throw Error(RSH_CANCELLED, "progress: asked to stop before batch ", batch);
 }
 
 }  // namespace rsh

@@ -2,8 +2,7 @@
 // which ones there are.
 #pragma once
 
-#include <vector>
-
+#include "device/choices.hpp"
 #include "device/cl/recorder.hpp"
 #include "device/cl/scratch.hpp"
 
@@ -32,7 +31,7 @@ public:
     virtual void traverse(Recorder& recorder, const rsh_traverse_desc& desc) const = 0;
 };
 
-const std::vector<const Engine*>& engines();
+Choices<Engine> engines();
 const Engine& find_engine(cl_uint id);  // throws; RSH_ENGINE_DEFAULT: the quickest
 
 // Finds what the rays hit.

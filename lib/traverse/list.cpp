@@ -10,18 +10,17 @@ const Engine& paper_faithful_engine();
 const Engine& brute_force_engine();
 
 // The first one is the default.
-const std::vector<const Engine*>& engines() {
-    static const std::vector<const Engine*> all = {
-        &tiles_engine(), &paper_engine(), &paper_faithful_engine(), &brute_force_engine()};
+Choices<Engine> engines() {
+    static const Engine* const all[] = {&tiles_engine(), &paper_engine(),
+                                        &paper_faithful_engine(), &brute_force_engine()};
     return all;
 }
 
 const Engine& find_engine(cl_uint id) {
-    if (id == RSH_ENGINE_DEFAULT) return *engines().front();
+    if (id == RSH_ENGINE_DEFAULT) return engines().front();
     for (const Engine* engine : engines())
         if (engine->id() == id) return *engine;
-    throw Error(RSH_INVALID_VALUE,
-                "engine: is " + std::to_string(id) + ", must be RSH_ENGINE_...");
+    throw Error(RSH_INVALID_VALUE, "engine: is ", id, ", must be RSH_ENGINE_...");
 }
 
 }  // namespace rsh

@@ -22,8 +22,8 @@ cl::Buffer zeroed_word(const cl::Context& context) {
 cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
     if (requested == 0) return caps.is_cpu ? caps.vector_width : 1;
     if (requested == 1 || requested == 4 || requested == 8 || requested == 16) return requested;
-    throw Error(RSH_INVALID_VALUE,
-                "vector_width: is " + std::to_string(requested) + ", must be 0, 1, 4, 8 or 16");
+    throw Error(RSH_INVALID_VALUE, "vector_width: is ", requested,
+                ", must be 0, 1, 4, 8 or 16");
 }
 
 std::string build_options(cl_uint vector_width, const DeviceCaps& caps) {
@@ -85,8 +85,8 @@ cl::Device find_device(const char* name) {
             if (label.find(wanted) != std::string::npos) return device;
             seen += (seen.empty() ? "" : ", ") + label;
         }
-    throw Error(RSH_NO_DEVICE, "name: no device contains \"" + wanted +
-                                   "\"; there are: " + (seen.empty() ? "none" : seen));
+    throw Error(RSH_NO_DEVICE, "name: no device contains \"", wanted,
+                "\"; there are: ", seen.empty() ? "none" : seen);
 }
 
 }  // namespace rsh

@@ -30,7 +30,7 @@ void require_supported(const cl::Device& device) {
         throw Error(RSH_UNSUPPORTED, "device: is big-endian, little-endian is required");
     const std::string version = device.getInfo<CL_DEVICE_OPENCL_C_VERSION>();
     if (version.compare(0, 11, "OpenCL C 1.") == 0 && version[11] < '2')
-        throw Error(RSH_UNSUPPORTED, "device: has " + version + ", OpenCL C 1.2 is required");
+        throw Error(RSH_UNSUPPORTED, "device: has ", version, ", OpenCL C 1.2 is required");
 }
 
 }  // namespace

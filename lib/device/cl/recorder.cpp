@@ -36,8 +36,8 @@ void Recorder::enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& 
                                     cl::NDRange(size), waits(), &event);
     } catch (const cl::Error& error) {
         const char* code = opencl_error_name(error.err());
-        throw Error(error.err(), std::string(error.what()) + " of " + name.kernel +
-                                     " failed: " + (code ? code : std::to_string(error.err())));
+        throw Error(error.err(), error.what(), " of ", name.kernel,
+                    " failed: ", code ? code : "an unknown code");
     }
     record(stage, event);
 }

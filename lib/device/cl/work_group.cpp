@@ -12,16 +12,12 @@ GroupLimits group_limits(const cl::Kernel& kernel, const cl::Device& device) {
 
 size_t fitting_group(const char* kernel, const Range& range, const GroupLimits& limits) {
     if (limits.local_bytes > limits.local_memory)
-        throw Error(RSH_UNSUPPORTED, std::string(kernel) + ": needs " +
-                                         std::to_string(limits.local_bytes) +
-                                         " bytes of local memory, the device has " +
-                                         std::to_string(limits.local_memory));
+        throw Error(RSH_UNSUPPORTED, kernel, ": needs ", limits.local_bytes,
+                    " bytes of local memory, the device has ", limits.local_memory);
     if (range.group_size <= limits.items) return range.group_size;
     if (range.takes_smaller_groups && limits.items > 0) return limits.items;
-    throw Error(RSH_UNSUPPORTED, std::string(kernel) + ": needs work-groups of " +
-                                     std::to_string(range.group_size) +
-                                     " work-items, the device runs at most " +
-                                     std::to_string(limits.items) + " of this kernel");
+    throw Error(RSH_UNSUPPORTED, kernel, ": needs work-groups of ", range.group_size,
+                " work-items, the device runs at most ", limits.items, " of this kernel");
 }
 
 }  // namespace rsh

@@ -9,10 +9,9 @@ void require_right_buffers(cl_uint bits) {
     const char* which = bits == RSH_WRONG_BOUNDS  ? "bounds: were"
                         : bits == RSH_WRONG_NODES ? "nodes: were"
                                                   : "bounds and nodes: were";
-    throw Error(RSH_INVALID_VALUE, std::string(which) +
-                                       " not made for the call that got them, must come from "
-                                       "rsh_bound and rsh_build with the same shape, triangles "
-                                       "and rays");
+    throw Error(RSH_INVALID_VALUE, which,
+                " not made for the call that got them, must come from rsh_bound and rsh_build "
+                "with the same shape, triangles and rays");
 }
 
 cl_uint take_wrong_buffers(const Context& context, cl_command_queue queue) {

@@ -14,7 +14,7 @@ std::string read_embedded(const std::string& name) {
         if (name == kEmbeddedFiles[i].name)
             return {reinterpret_cast<const char*>(kEmbeddedFiles[i].text),
                     kEmbeddedFiles[i].bytes};
-    throw Error(RSH_INTERNAL_ERROR, "no embedded kernel file " + name);
+    throw Error(RSH_INTERNAL_ERROR, "no embedded kernel file ", name);
 }
 
 // The types of the interface, rsh/..., live in include/, beside the folder of the kernels.
@@ -22,7 +22,7 @@ std::string read_from(const std::string& folder, const std::string& name) {
     const std::string path =
         folder + (name.rfind("rsh/", 0) == 0 ? "/../include/" : "/") + name;
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(RSH_INVALID_VALUE, "kernel_dir: cannot read " + path);
+    if (!file) throw Error(RSH_INVALID_VALUE, "kernel_dir: cannot read ", path);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -46,9 +46,8 @@ int conditions_opened(const std::string& line) {
 void require_unconditional(int conditions, const std::string& name, int line) {
     const bool is_header = name.size() > 2 && name.compare(name.size() - 2, 2, ".h") == 0;
     if (conditions > (is_header ? 1 : 0))
-        throw Error(RSH_INVALID_VALUE, "kernel " + name + ": line " + std::to_string(line) +
-                                           " includes a file under a condition, must do so "
-                                           "always");
+        throw Error(RSH_INVALID_VALUE, "kernel ", name, ": line ", line,
+                    " includes a file under a condition, must do so always");
 }
 
 class Expander {

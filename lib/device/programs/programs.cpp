@@ -120,10 +120,9 @@ cl::Program Programs::compile(const KernelName& name, const std::string& source,
     } catch (const cl::BuildError& error) {
         failed = error.err();
     }
-    throw Error(RSH_BUILD_FAILED,
-                std::string(name.program) + ".cl (" + options +
-                    "): " + (opencl_error_name(failed) ? opencl_error_name(failed) : "") +
-                    '\n' + program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
+    const char* const code = opencl_error_name(failed);
+    throw Error(RSH_BUILD_FAILED, name.program, ".cl (", options, "): ", code ? code : "", '\n',
+                program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
 }
 
 // Failing to store costs the next process a compilation, and this one nothing.
