@@ -10,12 +10,11 @@ cl_ulong end_of(cl_ulong offset, cl_ulong bytes) {
     return offset > ~cl_ulong{0} - bytes ? ~cl_ulong{0} : offset + bytes;
 }
 
-void check_size(const Context& context, const char* field, const cl::Buffer& buffer,
-                cl_ulong bytes) {
-    if (buffer.getInfo<CL_MEM_CONTEXT>()() != context.cl())
+void check_size(const Context& context, const char* field, cl_mem buffer, cl_ulong bytes) {
+    if (info<cl_context>(buffer, CL_MEM_CONTEXT) != context.cl.get())
         throw Error(RSH_INVALID_VALUE, field,
                     ": is of another cl_context, must be of the rsh_context's");
-    const cl_ulong actual = buffer.getInfo<CL_MEM_SIZE>();
+    const cl_ulong actual = info<size_t>(buffer, CL_MEM_SIZE);
     if (actual < bytes)
         throw Error(RSH_BUFFER_TOO_SMALL, field, ": holds ", actual, " bytes, needs ", bytes);
 }
@@ -51,17 +50,17 @@ void Buffers::scratch(cl_mem buffer, size_t bytes) {
 
 void Buffers::add(const char* field, cl_mem buffer, cl_ulong offset, cl_ulong bytes,
                   bool is_written) {
-    check_size(context_, field, cl::Buffer(buffer, true), end_of(offset, bytes));
+    check_size(context_, field, buffer, end_of(offset, bytes));
     if (bytes == 0) return;
     const Span span = span_of(buffer);
     const cl_ulong begin = span.offset + offset, end = begin + bytes;
     for (const Use& other : uses_)
-        if ((is_written || other.is_written) && other.root == span.root() &&
-            begin < other.end && other.begin < end)
+        if ((is_written || other.is_written) && other.root == span.root && begin < other.end &&
+            other.begin < end)
             throw Error(RSH_INVALID_VALUE, field, ": is bytes ", begin, " .. ", end,
                         " of a buffer, must not overlap ", other.field, ", bytes ", other.begin,
                         " .. ", other.end);
-    uses_.push_back({field, span.root(), begin, end, is_written});
+    uses_.push_back({field, span.root, begin, end, is_written});
 }
 
 }  // namespace rsh

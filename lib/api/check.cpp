@@ -14,9 +14,8 @@ Context& checked_context(rsh_context context) {
 void check_submission(const Context& context, cl_command_queue queue, cl_uint wait_count,
                       const cl_event* wait_list) {
     require_not_null(queue, "queue");
-    const cl::CommandQueue wrapped(queue, true);
-    if (wrapped.getInfo<CL_QUEUE_CONTEXT>()() != context.cl() ||
-        wrapped.getInfo<CL_QUEUE_DEVICE>()() != context.device())
+    if (info<cl_context>(queue, CL_QUEUE_CONTEXT) != context.cl.get() ||
+        info<cl_device_id>(queue, CL_QUEUE_DEVICE) != context.device)
         throw Error(RSH_INVALID_VALUE,
                     "queue: is of another context or device, must be of the rsh_context's");
     require((wait_count == 0) == (wait_list == nullptr), "wait_count", wait_count,

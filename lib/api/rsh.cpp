@@ -158,9 +158,10 @@ void rsh_release_context(rsh_context context) {
 rsh_status rsh_find_device(const char* name, cl_platform_id* platform, cl_device_id* device) {
     return rsh::guarded([&] {
         rsh::require_not_null(device, "device");
-        const cl::Device found = rsh::find_device(name);
-        *device = found();
-        if (platform) *platform = found.getInfo<CL_DEVICE_PLATFORM>();
+        const cl_device_id found = rsh::find_device(name);
+        const auto its_platform = rsh::info<cl_platform_id>(found, CL_DEVICE_PLATFORM);
+        *device = found;
+        if (platform) *platform = its_platform;
     });
 }
 

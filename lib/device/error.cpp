@@ -2,7 +2,10 @@
 
 #include <new>
 
-#include "device/cl/opencl.hpp"
+#ifndef CL_TARGET_OPENCL_VERSION
+#define CL_TARGET_OPENCL_VERSION 120
+#endif
+#include <CL/cl.h>
 
 namespace rsh {
 namespace {
@@ -99,8 +102,6 @@ rsh_status guarded_call(void (*body)(void*), void* argument) noexcept {
         return RSH_SUCCESS;
     } catch (const Error& error) {
         return error.status();
-    } catch (const cl::Error& error) {
-        return opencl_error(error.err(), error.what()).status();
     } catch (const std::bad_alloc&) {
         return fail(RSH_OUT_OF_MEMORY, "the host is out of memory");
     } catch (const std::exception& error) {

@@ -56,8 +56,8 @@ inline cl_uint item_tile(const Context& context, const ReduceShape& shape) {
 }
 
 // Local memory: a word per work-item for prefix sums, `more` behind them.
-inline cl::LocalSpaceArg group_words(const Context& context, size_t more = 0) {
-    return cl::Local((context.caps.group_size + more) * sizeof(cl_uint));
+inline LocalBytes group_words(const Context& context, size_t more = 0) {
+    return {(context.caps.group_size + more) * sizeof(cl_uint)};
 }
 
 inline ReduceShape shape_of(const ReduceStream& stream) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "device/error.hpp"
+#include "device/objects/host_read.hpp"
 
 namespace rsh {
 namespace {
@@ -65,48 +66,49 @@ std::vector<Stream> make_streams(const Context& context) {
 class Bench {
 public:
     Bench(Context& context, cl_command_queue queue, cl_uint longest)
-        : context_(context),
-          queue_(queue, true),
-          room_(longest + kGuard),
-          input_(context.cl, CL_MEM_READ_ONLY, bytes(longest)),
-          flags_(context.cl, CL_MEM_READ_ONLY, longest),
-          output_(context.cl, CL_MEM_READ_WRITE, bytes(room_)),
-          counts_(context.cl, CL_MEM_READ_WRITE, bytes(2)) {
+        : context_(context), queue_(queue), room_(longest + kGuard) {
+        finish();  // what the caller enqueued, and may fail, is not the strategies' fault
         std::vector<cl_uint> elements(longest);
         for (cl_uint i = 0; i < longest; ++i) elements[i] = element(i);
-        queue_.enqueueWriteBuffer(input_, CL_TRUE, 0, bytes(longest), elements.data());
+        input_ = buffer_of(elements);
     }
 
     // What is wrong with the answer; "" if nothing is.
     std::string try_strategy(const Strategy& strategy, const Stream& stream) {
-        const cl_uint counts[] = {stream.length, kCanary};
-        queue_.enqueueWriteBuffer(flags_, CL_TRUE, 0, stream.count, stream.flags.data());
-        queue_.enqueueWriteBuffer(counts_, CL_TRUE, 0, sizeof counts, counts);
-        queue_.enqueueFillBuffer(output_, kCanary, 0, bytes(room_));
-        queue_.finish();
-        run(strategy, stream);
-        cl_uint kept = 0;
-        std::vector<cl_uint> found(room_);
-        queue_.enqueueReadBuffer(counts_, CL_TRUE, bytes(1), sizeof kept, &kept);
-        queue_.enqueueReadBuffer(output_, CL_TRUE, 0, bytes(room_), found.data());
-        return compare(strategy, stream.expected, kept, found);
+        const Buffer flags = buffer_of(stream.flags);
+        const Buffer counts = buffer_of(std::vector<cl_uint>{stream.length, kCanary});
+        const Buffer output = buffer_of(std::vector<cl_uint>(room_, kCanary));
+        const bool is_known = stream.length == stream.count;
+        run(strategy,
+            {RSH_KEEP_FLAGS, sizeof(cl_uint), stream.count, is_known ? nullptr : counts.get(),
+             input_.get(), flags.get(), output.get(), counts.get(), 1, nullptr});
+        const std::vector<cl_uint> kept = read(counts.get(), 2);
+        return compare(strategy, stream.expected, kept[1], read(output.get(), room_));
     }
 
 private:
-    static size_t bytes(size_t words) { return words * sizeof(cl_uint); }
+    // With its contents from the beginning: a write that failed might still read them later.
+    template <class Item>
+    Buffer buffer_of(const std::vector<Item>& items) const {
+        return new_buffer(context_.cl.get(), CL_MEM_READ_WRITE, items.size() * sizeof(Item),
+                          items.data());
+    }
 
-    void run(const Strategy& strategy, const Stream& stream) {
-        Recorder recorder(context_, {queue_(), 0, nullptr}, nullptr);
+    void finish() const { require_success(clFinish(queue_), "clFinish"); }
+
+    std::vector<cl_uint> read(cl_mem buffer, size_t word_count) const {
+        const HostRead read(queue_, buffer, word_count, {0, nullptr});
+        const cl_uint* const words = read.wait();
+        return {words, words + word_count};
+    }
+
+    void run(const Strategy& strategy, const ReduceStream& stream) const {
+        Recorder recorder(context_, {queue_, 0, nullptr}, nullptr);
         Layout layout(context_.caps.alignment);
         strategy.reserve(layout, context_, {stream.count, sizeof(cl_uint)});
         const Scratch scratch(recorder, layout, nullptr);
-        const bool is_known = stream.length == stream.count;
-        strategy.enqueue(
-            recorder,
-            {RSH_KEEP_FLAGS, sizeof(cl_uint), stream.count, is_known ? nullptr : counts_(),
-             input_(), flags_(), output_(), counts_(), 1, nullptr},
-            scratch);
-        queue_.finish();
+        strategy.enqueue(recorder, stream, scratch);
+        finish();
     }
 
     static std::string compare(const Strategy& strategy, std::vector<cl_uint> expected,
@@ -126,12 +128,13 @@ private:
     }
 
     Context& context_;
-    cl::CommandQueue queue_;
+    cl_command_queue queue_;
     cl_uint room_;
-    cl::Buffer input_, flags_, output_, counts_;
+    Buffer input_;
 };
 
-// A driver may also refuse to compile or to run what it cannot do.
+// A driver may also refuse to compile or to run what it cannot do. Host memory that is short is no
+// fault of the strategy's.
 std::string first_failure(Bench& bench, const Strategy& strategy,
                           const std::vector<Stream>& streams, cl_uint& cases) {
     try {
@@ -141,7 +144,7 @@ std::string first_failure(Bench& bench, const Strategy& strategy,
             if (!wrong.empty()) return stream.name + ": " + wrong;
         }
         return "";
-    } catch (const std::exception& error) {
+    } catch (const Error& error) {
         return error.what();
     }
 }

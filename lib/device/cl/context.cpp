@@ -8,15 +8,15 @@
 namespace rsh {
 namespace {
 
-cl::Device checked_device(const cl::Context& context, cl_device_id device) {
-    for (const cl::Device& known : context.getInfo<CL_CONTEXT_DEVICES>())
-        if (known() == device) return known;
+cl_device_id checked_device(cl_context context, cl_device_id device) {
+    for (const cl_device_id known : info_list<cl_device_id>(context, CL_CONTEXT_DEVICES))
+        if (known == device) return device;
     throw Error(RSH_INVALID_VALUE, "device: is not one of the context's devices");
 }
 
-cl::Buffer zeroed_word(const cl::Context& context) {
-    cl_uint zero = 0;
-    return {context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, sizeof zero, &zero};
+Buffer zeroed_word(cl_context context) {
+    const cl_uint zero = 0;
+    return new_buffer(context, CL_MEM_READ_WRITE, sizeof zero, &zero);
 }
 
 cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
@@ -38,50 +38,48 @@ std::string kernel_folder(const char* requested) {
     return folder ? folder : "";
 }
 
-std::vector<cl::Platform> all_platforms() {
-    std::vector<cl::Platform> platforms;
-    try {
-        cl::Platform::get(&platforms);
-    } catch (const cl::Error&) {
-        platforms.clear();  // the loader reports an empty list as an error
-    }
-    if (platforms.empty())
+// The loader reports an empty list as an error.
+std::vector<cl_platform_id> all_platforms() {
+    cl_uint count = 0;
+    if (clGetPlatformIDs(0, nullptr, &count) != CL_SUCCESS) count = 0;
+    std::vector<cl_platform_id> platforms(count);
+    if (count == 0 || clGetPlatformIDs(count, platforms.data(), nullptr) != CL_SUCCESS)
         throw Error(RSH_NO_DEVICE,
                     "no OpenCL platform: is a driver installed (Debian: pocl-opencl-icd)?");
     return platforms;
 }
 
-std::vector<cl::Device> devices_of(const cl::Platform& platform) {
-    std::vector<cl::Device> devices;
-    try {
-        platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-    } catch (const cl::Error&) {
-        devices.clear();  // a platform without devices is skipped
-    }
+// A platform without devices is skipped.
+std::vector<cl_device_id> devices_of(cl_platform_id platform) {
+    constexpr cl_device_type kAll = CL_DEVICE_TYPE_ALL;
+    cl_uint count = 0;
+    if (clGetDeviceIDs(platform, kAll, 0, nullptr, &count) != CL_SUCCESS) return {};
+    std::vector<cl_device_id> devices(count);
+    if (clGetDeviceIDs(platform, kAll, count, devices.data(), nullptr) != CL_SUCCESS) return {};
     return devices;
 }
 
 }  // namespace
 
 Context::Context(const rsh_context_desc& desc)
-    : cl(desc.context, true),
-      device(checked_device(cl, desc.device)),
+    : cl(Handle<cl_context>::retained(desc.context)),
+      device(checked_device(desc.context, desc.device)),
       caps(device),
       vector_width(checked_width(desc.vector_width, caps)),
       log(desc.log, desc.log_user),
-      programs(cl, device, caps, log, build_options(vector_width, caps),
+      programs(desc.context, device, caps, log, build_options(vector_width, caps),
                BinaryCache::folder_for(desc.cache_dir), kernel_folder(desc.kernel_dir)),
-      pool(cl),
-      wrong_buffers_(zeroed_word(cl)) {}
+      pool(desc.context),
+      wrong_buffers_(zeroed_word(desc.context)) {}
 
-cl::Device find_device(const char* name) {
+cl_device_id find_device(const char* name) {
     if (!name) name = std::getenv("RSH_DEVICE");
     const std::string wanted = name ? name : "";
     std::string seen;
-    for (const cl::Platform& platform : all_platforms())
-        for (const cl::Device& device : devices_of(platform)) {
-            const std::string label =
-                platform.getInfo<CL_PLATFORM_NAME>() + ": " + device.getInfo<CL_DEVICE_NAME>();
+    for (const cl_platform_id platform : all_platforms())
+        for (const cl_device_id device : devices_of(platform)) {
+            const std::string label = info_text(platform, CL_PLATFORM_NAME) + ": " +
+                                      info_text(device, CL_DEVICE_NAME);
             if (label.find(wanted) != std::string::npos) return device;
             seen += (seen.empty() ? "" : ", ") + label;
         }

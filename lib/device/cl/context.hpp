@@ -6,10 +6,10 @@
 #include <atomic>
 
 #include "device/cl/device_caps.hpp"
-#include "device/cl/opencl.hpp"
 #include "device/cl/scratch_pool.hpp"
 #include "device/cl/statistics_log.hpp"
 #include "device/log.hpp"
+#include "device/objects/handle.hpp"
 #include "device/programs/programs.hpp"
 
 namespace rsh {
@@ -18,8 +18,8 @@ class Context {
 public:
     explicit Context(const rsh_context_desc& desc);
 
-    cl::Context cl;
-    cl::Device device;
+    Handle<cl_context> cl;
+    cl_device_id device;  // the context keeps it
     DeviceCaps caps;
     cl_uint vector_width;
     Log log;
@@ -30,14 +30,14 @@ public:
     std::atomic<cl_uint> unsafe_strategies{0};
 
     // A word on the device: what traversals met that was not made for them, RSH_WRONG_...
-    cl_mem wrong_buffers() const { return wrong_buffers_(); }
+    cl_mem wrong_buffers() const { return wrong_buffers_.get(); }
 
 private:
-    cl::Buffer wrong_buffers_;
+    Buffer wrong_buffers_;
 };
 
 // RSH_DEVICE or `name` as a substring of platform or device; see rsh_find_device.
-cl::Device find_device(const char* name);
+cl_device_id find_device(const char* name);
 
 }  // namespace rsh
 

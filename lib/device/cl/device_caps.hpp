@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "device/cl/opencl.hpp"
+#include "device/objects/handle.hpp"
 
 namespace rsh {
 
 struct DeviceCaps {
-    explicit DeviceCaps(const cl::Device& device);
+    explicit DeviceCaps(cl_device_id device);
 
     bool is_cpu;
     bool correctly_rounded;  // divide and square root may be asked to round correctly

@@ -6,50 +6,56 @@ namespace rsh {
 
 Recorder::Recorder(Context& context, const Submission& submission, cl_event* done)
     : context_(context),
-      queue_(submission.queue, true),
+      queue_(submission.queue),
       done_(done),
       wrong_buffers_(context.wrong_buffers()) {
-    waits_.reserve(submission.wait_count + 1);  // to keep the last command is not to fail
+    callers_.reserve(submission.wait_count);
     for (cl_uint i = 0; i < submission.wait_count; ++i)
-        waits_.emplace_back(submission.wait_list[i], true);
+        callers_.push_back(Event::retained(submission.wait_list[i]));
 }
 
 // Also after a failure in the middle: what was enqueued may still use the blocks.
 Recorder::~Recorder() {
-    hand_out_last();
     for (ScratchBlock& block : blocks_) {
-        if (enqueued_) block.last_use = waits_.front();
-        context_.pool.give_back(std::move(block));
+        if (last_) block.last_use = Event::retained_or_none(last_.get());
+        if (last_ && !block.last_use)
+            context_.pool.give_up(std::move(block));
+        else
+            context_.pool.give_back(std::move(block));
     }
+    if (done_ && last_) *done_ = last_.release();
 }
 
-void Recorder::enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
+Waits Recorder::waits() const {
+    if (last_) return {1, last_.list()};
+    return {static_cast<cl_uint>(callers_.size()), list_of(callers_)};
+}
+
+void Recorder::enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel,
                        const Range& range) {
     const size_t size =
         range.group_size == 1
             ? 1
             : fitting_group(name.kernel, range, group_limits(kernel, context_.device));
-    const size_t groups = (range.items + size - 1) / size;
-    cl::Event event;
-    try {
-        queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * size),
-                                    cl::NDRange(size), waits(), &event);
-    } catch (const cl::Error& error) {
-        const char* code = opencl_error_name(error.err());
-        throw Error(error.err(), error.what(), " of ", name.kernel,
-                    " failed: ", code ? code : "an unknown code");
+    const size_t items = (range.items + size - 1) / size * size;
+    Event event;
+    const cl_int status = clEnqueueNDRangeKernel(queue_, kernel, 1, nullptr, &items, &size,
+                                                 waits().count, waits().events, event.out());
+    if (status != CL_SUCCESS) {
+        const char* const code = opencl_error_name(status);
+        throw Error(status, "clEnqueueNDRangeKernel of ", name.kernel, " failed",
+                    code ? ": " : "", code ? code : "");
     }
-    record(stage, event);
+    record(stage, std::move(event));
 }
 
-void Recorder::record(cl_uint stage, const cl::Event& event) {
-    continue_after(event);
-    context_.statistics.add_command(stage, event);
+void Recorder::record(cl_uint stage, Event event) {
+    continue_after(std::move(event));
+    context_.statistics.add_command(stage, last_.get());
 }
 
-void Recorder::continue_after(const cl::Event& event) {
-    waits_.assign(1, event);
-    enqueued_ = true;
+void Recorder::continue_after(Event event) {
+    last_ = std::move(event);
 }
 
 // On CPUs a group is a task: single items, a few per core to balance uneven runs.
@@ -62,19 +68,17 @@ Range Recorder::stream_range() const {
 
 void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset) {
     if (bytes == 0) return;
-    cl::Event event;
-    queue_.enqueueFillBuffer(cl::Buffer(buffer, true), word, offset, bytes, waits(), &event);
-    record(stage, event);
+    Event event;
+    require_success(clEnqueueFillBuffer(queue_, buffer, &word, sizeof word, offset, bytes,
+                                        waits().count, waits().events, event.out()),
+                    "clEnqueueFillBuffer");
+    record(stage, std::move(event));
 }
 
 void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use) {
-    CountRead read(word_count, std::move(use));
-    cl::Event event;
-    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_FALSE, 0,
-                             word_count * sizeof(cl_uint), read.words(), waits(), &event);
-    read.began(event);
-    continue_after(event);
-    context_.statistics.add_read(std::move(read));
+    HostRead read(queue_, buffer, word_count, waits());
+    continue_after(read.share_event());
+    context_.statistics.add_read({std::move(read), std::move(use)});
 }
 
 void Recorder::own_wrong_buffers(cl_mem word) {
@@ -83,41 +87,38 @@ void Recorder::own_wrong_buffers(cl_mem word) {
 }
 
 void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {
-    cl::Event event;
-    queue_.enqueueCopyBuffer(cl::Buffer(from, true), cl::Buffer(to, true), 0,
-                             index * sizeof(cl_uint), sizeof(cl_uint), waits(), &event);
-    record(RSH_STAGE_OTHER, event);
+    Event event;
+    require_success(
+        clEnqueueCopyBuffer(queue_, from, to, 0, index * sizeof(cl_uint), sizeof(cl_uint),
+                            waits().count, waits().events, event.out()),
+        "clEnqueueCopyBuffer");
+    record(RSH_STAGE_OTHER, std::move(event));
 }
 
 std::array<cl_uint, 2> Recorder::read_now(cl_mem buffer) {
-    std::array<cl_uint, 2> words = {};
-    cl::Event event;
-    queue_.enqueueReadBuffer(cl::Buffer(buffer, true), CL_TRUE, 0, sizeof words, words.data(),
-                             waits(), &event);
-    record(RSH_STAGE_OTHER, event);
+    HostRead read(queue_, buffer, 2, waits());
+    record(RSH_STAGE_OTHER, read.share_event());
+    require_success(clFlush(queue_), "clFlush");
     context_.statistics.add([](rsh_statistics& sums) { ++sums.host_waits; });
-    return words;
+    const cl_uint* const words = read.wait();
+    return {words[0], words[1]};
 }
 
 cl_mem Recorder::borrow_scratch(size_t bytes) {
     blocks_.reserve(blocks_.size() + 1);  // what is borrowed is given back
-    blocks_.push_back(context_.pool.borrow(bytes, queue_, waits_));
-    return blocks_.back().buffer();
+    blocks_.push_back(context_.pool.borrow(bytes, queue_, waits()));
+    return blocks_.back().buffer.get();
 }
 
 // The last command ends after all others. No marker behind it: PoCL 3.1 lets one wait for
 // whatever the queue holds, also when it is given a wait list and the queue is out of order.
 void Recorder::finish() {
-    if (!done_ || enqueued_) return;
-    cl::Event event;
-    queue_.enqueueMarkerWithWaitList(waits(), &event);
-    continue_after(event);
-}
-
-void Recorder::hand_out_last() const noexcept {
-    if (!done_ || !enqueued_) return;
-    *done_ = waits_.front()();
-    clRetainEvent(*done_);
+    if (!done_ || last_) return;
+    Event event;
+    require_success(
+        clEnqueueMarkerWithWaitList(queue_, waits().count, waits().events, event.out()),
+        "clEnqueueMarkerWithWaitList");
+    continue_after(std::move(event));
 }
 
 }  // namespace rsh

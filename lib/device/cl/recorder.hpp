@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "device/cl/context.hpp"
-#include "device/cl/opencl.hpp"
 #include "device/cl/work_group.hpp"
 #include "device/layout.hpp"
+#include "device/objects/handle.hpp"
 
 namespace rsh {
 
@@ -33,15 +33,15 @@ public:
     Context& context() { return context_; }
 
     // Enqueues a kernel after everything recorded before. Arguments in the kernel's order:
-    // cl_mem, cl::LocalSpaceArg, scalars and structs. An empty range enqueues nothing.
+    // cl_mem, LocalBytes, scalars and structs. An empty range enqueues nothing.
     template <class... Arguments>
     void launch(cl_uint stage, const KernelName& name, const Range& range,
                 const Arguments&... arguments) {
         if (range.items == 0) return;
         BorrowedKernel kernel = context_.programs.borrow(name);
         cl_uint index = 0;
-        (set_argument(*kernel, index++, arguments), ...);
-        enqueue(stage, name, *kernel, range);
+        (set_argument(kernel.get(), index++, arguments), ...);
+        enqueue(stage, name, kernel.get(), range);
     }
 
     // One work-item per element, in groups of the device's usual size.
@@ -78,26 +78,24 @@ public:
     void finish();
 
 private:
-    static void set_argument(cl::Kernel& kernel, cl_uint index, cl_mem buffer) {
-        kernel.setArg(index, sizeof buffer, &buffer);
+    static void set_argument(cl_kernel kernel, cl_uint index, LocalBytes local) {
+        require_success(clSetKernelArg(kernel, index, local.bytes, nullptr), "clSetKernelArg");
     }
     template <class Value>
-    static void set_argument(cl::Kernel& kernel, cl_uint index, const Value& value) {
-        kernel.setArg(index, value);
+    static void set_argument(cl_kernel kernel, cl_uint index, const Value& value) {
+        require_success(clSetKernelArg(kernel, index, sizeof value, &value), "clSetKernelArg");
     }
-    void enqueue(cl_uint stage, const KernelName& name, const cl::Kernel& kernel,
-                 const Range& range);
-    void record(cl_uint stage, const cl::Event& event);
-    void continue_after(const cl::Event& event);
-    void hand_out_last() const noexcept;
-    const std::vector<cl::Event>* waits() const { return waits_.empty() ? nullptr : &waits_; }
+    void enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel, const Range& range);
+    void record(cl_uint stage, Event event);
+    void continue_after(Event event);
+    Waits waits() const;  // of the next command
 
     Context& context_;
-    cl::CommandQueue queue_;
+    cl_command_queue queue_;
     cl_event* done_;
     cl_mem wrong_buffers_;
-    std::vector<cl::Event> waits_;  // of the next command: the caller's, then the last command
-    bool enqueued_ = false;         // anything: waits_ is the last command
+    std::vector<Event> callers_;  // the wait list
+    Event last_;                  // command; none until one is enqueued
     std::vector<ScratchBlock> blocks_;
 };
 

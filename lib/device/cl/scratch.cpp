@@ -12,14 +12,15 @@ Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given)
         const Layout::Part& part = layout.parts()[i];
         if (part.bytes == 0) continue;
         const cl_buffer_region region = {span.offset + part.offset, part.bytes};
-        cl::Buffer root = span.root;
-        buffers_[i] =
-            root.createSubBuffer(CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION, &region);
+        cl_int status = CL_SUCCESS;
+        buffers_[i] = Buffer(clCreateSubBuffer(span.root, CL_MEM_READ_WRITE,
+                                               CL_BUFFER_CREATE_TYPE_REGION, &region, &status));
+        require_success(status, "clCreateSubBuffer");
     }
 }
 
 cl_mem Scratch::operator[](std::string_view name) const {
-    return buffers_[layout_.number_of(name)]();
+    return buffers_[layout_.number_of(name)].get();
 }
 
 cl_mem Scratch::find(std::string_view name) const {

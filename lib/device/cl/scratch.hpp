@@ -22,7 +22,7 @@ public:
 
 private:
     Layout layout_;
-    std::vector<cl::Buffer> buffers_;  // of its parts
+    std::vector<Buffer> buffers_;  // of its parts
 };
 
 }  // namespace rsh

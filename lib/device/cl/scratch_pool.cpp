@@ -2,22 +2,14 @@
 
 #include <algorithm>
 
+#include "device/objects/waiting.hpp"
+
 namespace rsh {
 namespace {
 
-bool is_in_order(const cl::CommandQueue& queue) {
-    return !(queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE);
-}
-
-// Ended, also by a failure.
-bool has_ended(const cl::Event& event) {
-    return event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() <= CL_COMPLETE;
-}
-
-cl_command_queue queue_of(const cl::Event& event) {
-    cl_command_queue queue = nullptr;
-    clGetEventInfo(event(), CL_EVENT_COMMAND_QUEUE, sizeof queue, &queue, nullptr);
-    return queue;
+bool is_in_order(cl_command_queue queue) {
+    return !(info<cl_command_queue_properties>(queue, CL_QUEUE_PROPERTIES) &
+             CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE);
 }
 
 }  // namespace
@@ -25,14 +17,15 @@ cl_command_queue queue_of(const cl::Event& event) {
 // Waiting for the block's last user instead would make the call depend on an event that its
 // caller never named: one that the application may set only after this call, or that is on a
 // queue nobody flushed.
-ScratchBlock ScratchPool::borrow(size_t bytes, const cl::CommandQueue& queue,
-                                 const std::vector<cl::Event>& waits) {
+ScratchBlock ScratchPool::borrow(size_t bytes, cl_command_queue queue, const Waits& waits) {
     const bool in_order = is_in_order(queue);
     const auto is_free = [&](const ScratchBlock& block) {
-        const cl::Event& last = block.last_use;
-        if (!last() || has_ended(last) || (in_order && queue_of(last) == queue())) return true;
-        return std::any_of(waits.begin(), waits.end(),
-                           [&](const cl::Event& wait) { return wait() == last(); });
+        const cl_event last = block.last_use.get();
+        if (!last || has_ended(last)) return true;
+        if (in_order && info<cl_command_queue>(last, CL_EVENT_COMMAND_QUEUE) == queue)
+            return true;
+        return std::find(waits.events, waits.events + waits.count, last) !=
+               waits.events + waits.count;
     };
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = std::find_if(idle_.begin(), idle_.end(), [&](const ScratchBlock& block) {
@@ -50,7 +43,7 @@ ScratchBlock ScratchPool::borrow(size_t bytes, const cl::CommandQueue& queue,
         idle_.erase(std::next(replaced).base());
     }
     idle_.reserve(count_ + 1);
-    ScratchBlock block{cl::Buffer(context_, CL_MEM_READ_WRITE, bytes), bytes, {}};
+    ScratchBlock block{new_buffer(context_, CL_MEM_READ_WRITE, bytes), bytes, {}};
     bytes_ += bytes;
     ++count_;
     return block;
@@ -62,6 +55,12 @@ void ScratchPool::give_back(ScratchBlock block) noexcept {
         return a.bytes < b.bytes;
     };
     idle_.insert(std::upper_bound(idle_.begin(), idle_.end(), block, larger), std::move(block));
+}
+
+void ScratchPool::give_up(ScratchBlock block) noexcept {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    bytes_ -= block.bytes;
+    --count_;
 }
 
 size_t ScratchPool::bytes() const {

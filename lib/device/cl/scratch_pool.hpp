@@ -6,29 +6,30 @@
 #include <mutex>
 #include <vector>
 
-#include "device/cl/opencl.hpp"
+#include "device/objects/handle.hpp"
 
 namespace rsh {
 
 struct ScratchBlock {
-    cl::Buffer buffer;
+    Buffer buffer;
     size_t bytes = 0;
-    cl::Event last_use;  // null: never used
+    Event last_use;  // null: never used
 };
 
 class ScratchPool {
 public:
-    explicit ScratchPool(cl::Context context) : context_(std::move(context)) {}
+    explicit ScratchPool(cl_context context) : context_(context) {}
 
     // For commands on `queue` after `waits`: the smallest block free for them that holds
     // `bytes`; else the largest free one is replaced.
-    ScratchBlock borrow(size_t bytes, const cl::CommandQueue& queue,
-                        const std::vector<cl::Event>& waits);
+    ScratchBlock borrow(size_t bytes, cl_command_queue queue, const Waits& waits);
     void give_back(ScratchBlock block) noexcept;
+    // Where nobody will know when commands are done with it. OpenCL keeps it until then.
+    void give_up(ScratchBlock block) noexcept;
     size_t bytes() const;
 
 private:
-    cl::Context context_;
+    cl_context context_;
     mutable std::mutex mutex_;
     std::vector<ScratchBlock> idle_;  // by size; has room for what is lent
     size_t count_ = 0;                // idle and lent

@@ -3,64 +3,37 @@
 namespace rsh {
 namespace {
 
-// CL_COMPLETE, above it while under way, below it after a failure.
-cl_int status_of(const cl::Event& event) {
-    cl_int status = CL_QUEUED;
-    clGetEventInfo(event(), CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, nullptr);
-    return status;
-}
-
-// A command that failed makes the wait fail; it has ended all the same.
-void wait_for(const cl::Event& event) {
-    clWaitForEvents(1, &event());
+// Of a command that failed, or cannot be waited for, less is told, and nothing else.
+void wait_for(cl_event event) noexcept {
+    if (event) clWaitForEvents(1, &event);
 }
 
 // CL_PROFILING_INFO_NOT_AVAILABLE is no failure: the queue does not measure, or the command
 // failed.
-cl_ulong duration_ns(const cl::Event& event) {
+cl_ulong duration_ns(cl_event event) {
     cl_ulong start = 0, end = 0;
-    if (clGetEventProfilingInfo(event(), CL_PROFILING_COMMAND_START, sizeof start, &start,
+    if (clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start, &start,
                                 nullptr) != CL_SUCCESS ||
-        clGetEventProfilingInfo(event(), CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) !=
+        clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) !=
             CL_SUCCESS)
         return 0;
     return end > start ? end - start : 0;
 }
 
-void CL_CALLBACK free_words(cl_event, cl_int, void* words) {
-    delete[] static_cast<cl_uint*>(words);
-}
-
 }  // namespace
 
-// A callback instead of a wait: the read may hang on an event that the caller sets only later.
-CountRead::~CountRead() {
-    if (!words_ || !event_() || status_of(event_) <= CL_COMPLETE) return;
-    if (clSetEventCallback(event_(), CL_COMPLETE, free_words, words_.get()) == CL_SUCCESS)
-        words_.release();
-    else
-        wait_for(event_);
-}
-
-void CountRead::wait() const {
-    wait_for(event_);
-}
-
-void CountRead::add_to(rsh_statistics& sums) const {
-    if (status_of(event_) == CL_COMPLETE) use_(sums, words_.get());
-}
-
-void StatisticsLog::Pending::wait() const {
-    for (const Command& command : commands) wait_for(command.event);
-    for (const CountRead& read : reads) read.wait();
+void StatisticsLog::Pending::wait() const noexcept {
+    for (const Command& command : commands) wait_for(command.event.get());
+    for (const CountRead& count : reads) wait_for(count.read.event());
 }
 
 void StatisticsLog::Pending::add_to(rsh_statistics& sums) const {
     for (const Command& command : commands) {
-        sums.stage_ns[command.stage] += duration_ns(command.event);
+        sums.stage_ns[command.stage] += duration_ns(command.event.get());
         ++sums.launches;
     }
-    for (const CountRead& read : reads) read.add_to(sums);
+    for (const CountRead& count : reads)
+        if (const cl_uint* const words = count.read.arrived()) count.use(sums, words);
 }
 
 void StatisticsLog::enable(bool enabled) {
@@ -77,9 +50,9 @@ bool StatisticsLog::enabled() const {
     return enabled_;
 }
 
-void StatisticsLog::add_command(cl_uint stage, const cl::Event& event) {
+void StatisticsLog::add_command(cl_uint stage, cl_event event) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (enabled_) pending_.commands.push_back({stage, event});
+    if (enabled_) pending_.commands.push_back({stage, Event::retained(event)});
 }
 
 void StatisticsLog::add(const std::function<void(rsh_statistics&)>& change) {

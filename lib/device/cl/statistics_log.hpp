@@ -6,35 +6,20 @@
 #include <rsh/rsh.h>
 
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <vector>
 
-#include "device/cl/opencl.hpp"
+#include "device/objects/handle.hpp"
+#include "device/objects/host_read.hpp"
 
 namespace rsh {
 
-// Words that a non-blocking read fills until its event, and what they mean. Dropped before
-// that, the words stay until the read ended.
-class CountRead {
-public:
+// Words on their way from the device, and what they mean.
+struct CountRead {
     using Use = std::function<void(rsh_statistics&, const cl_uint*)>;
 
-    CountRead(size_t count, Use use) : words_(new cl_uint[count]), use_(std::move(use)) {}
-    ~CountRead();
-    CountRead(CountRead&&) noexcept = default;
-    CountRead& operator=(CountRead&&) = delete;
-
-    cl_uint* words() const { return words_.get(); }
-    void began(const cl::Event& event) { event_ = event; }
-    void wait() const;
-    // Adds the words, if they arrived.
-    void add_to(rsh_statistics& sums) const;
-
-private:
-    std::unique_ptr<cl_uint[]> words_;
-    Use use_;
-    cl::Event event_;
+    HostRead read;
+    Use use;
 };
 
 // A count of 64 bits as the device makes it; see kernels/traverse/count.h.
@@ -47,7 +32,7 @@ public:
     void enable(bool enabled);
     bool enabled() const;
 
-    void add_command(cl_uint stage, const cl::Event& event);
+    void add_command(cl_uint stage, cl_event event);
     // Changes the sums under the log's lock.
     void add(const std::function<void(rsh_statistics&)>& change);
     void add_read(CountRead read);
@@ -58,13 +43,13 @@ public:
 private:
     struct Command {
         cl_uint stage;
-        cl::Event event;
+        Event event;
     };
     struct Pending {
         std::vector<Command> commands;
         std::vector<CountRead> reads;
 
-        void wait() const;
+        void wait() const noexcept;
         void add_to(rsh_statistics& sums) const;
     };
     void settle();

@@ -4,10 +4,23 @@
 
 namespace rsh {
 
-GroupLimits group_limits(const cl::Kernel& kernel, const cl::Device& device) {
-    return {kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device),
-            kernel.getWorkGroupInfo<CL_KERNEL_LOCAL_MEM_SIZE>(device),
-            device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>()};
+namespace {
+
+template <class Value>
+Value group_info(cl_kernel kernel, cl_device_id device, cl_kernel_work_group_info what) {
+    Value value = {};
+    require_success(
+        clGetKernelWorkGroupInfo(kernel, device, what, sizeof value, &value, nullptr),
+        "clGetKernelWorkGroupInfo");
+    return value;
+}
+
+}  // namespace
+
+GroupLimits group_limits(cl_kernel kernel, cl_device_id device) {
+    return {group_info<size_t>(kernel, device, CL_KERNEL_WORK_GROUP_SIZE),
+            group_info<cl_ulong>(kernel, device, CL_KERNEL_LOCAL_MEM_SIZE),
+            info<cl_ulong>(device, CL_DEVICE_LOCAL_MEM_SIZE)};
 }
 
 size_t fitting_group(const char* kernel, const Range& range, const GroupLimits& limits) {

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "device/cl/opencl.hpp"
+#include "device/objects/handle.hpp"
 
 namespace rsh {
 
@@ -21,7 +21,7 @@ struct GroupLimits {
 };
 
 // Of a kernel with arguments.
-GroupLimits group_limits(const cl::Kernel& kernel, const cl::Device& device);
+GroupLimits group_limits(cl_kernel kernel, cl_device_id device);
 
 // The range's, or the largest that the kernel bears. Throws where neither is possible.
 size_t fitting_group(const char* kernel, const Range& range, const GroupLimits& limits);

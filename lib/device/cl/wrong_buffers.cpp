@@ -1,6 +1,8 @@
 #include "device/cl/wrong_buffers.hpp"
 
 #include "device/error.hpp"
+#include "device/objects/host_read.hpp"
+#include "device/objects/waiting.hpp"
 
 namespace rsh {
 
@@ -15,15 +17,20 @@ void require_right_buffers(cl_uint bits) {
 }
 
 cl_uint take_wrong_buffers(const Context& context, cl_command_queue queue) {
-    const cl::CommandQueue commands(queue, true);
-    const cl::Buffer word(context.wrong_buffers(), true);
-    cl::Event before;
-    commands.enqueueBarrierWithWaitList(nullptr, &before);
-    const std::vector<cl::Event> wait = {before};
-    cl_uint bits = 0;
-    commands.enqueueReadBuffer(word, CL_TRUE, 0, sizeof bits, &bits, &wait);
+    const cl_mem word = context.wrong_buffers();
+    Event before, cleared;
+    require_success(clEnqueueBarrierWithWaitList(queue, 0, nullptr, before.out()),
+                    "clEnqueueBarrierWithWaitList");
+    const HostRead read(queue, word, 1, {1, before.list()});
+    require_success(clFlush(queue), "clFlush");
+    const cl_uint bits = *read.wait();
+    if (!bits) return 0;
     const cl_uint none = 0;
-    if (bits) commands.enqueueWriteBuffer(word, CL_TRUE, 0, sizeof none, &none);
+    require_success(clEnqueueFillBuffer(queue, word, &none, sizeof none, 0, sizeof none, 0,
+                                        nullptr, cleared.out()),
+                    "clEnqueueFillBuffer");
+    require_success(clFlush(queue), "clFlush");
+    wait_for(cleared.get());
     return bits;
 }
 

@@ -21,40 +21,70 @@ double seconds_of(Work work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+cl_int build(cl_program program, cl_device_id device, const std::string& options) {
+    return clBuildProgram(program, 1, &device, options.c_str(), nullptr, nullptr);
+}
+
+// What the compiler says, if anything.
+std::string build_log(cl_program program, cl_device_id device) {
+    size_t bytes = 0;
+    clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr, &bytes);
+    std::string log(bytes, '\0');
+    if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, bytes, &log[0], nullptr) !=
+        CL_SUCCESS)
+        return "";
+    return log.c_str();
+}
+
+// One per device of the program, empty for those that it is not built for.
+std::vector<std::vector<unsigned char>> binaries_of(cl_program program) {
+    std::vector<std::vector<unsigned char>> binaries;
+    for (const size_t bytes : info_list<size_t>(program, CL_PROGRAM_BINARY_SIZES))
+        binaries.emplace_back(bytes);
+    std::vector<unsigned char*> places;
+    for (auto& binary : binaries) places.push_back(binary.empty() ? nullptr : binary.data());
+    require_success(clGetProgramInfo(program, CL_PROGRAM_BINARIES,
+                                     places.size() * sizeof places[0], places.data(), nullptr),
+                    "clGetProgramInfo");
+    return binaries;
+}
+
 }  // namespace
 
 // One built program and its idle kernels. Built under its own mutex: a second thread that needs
 // the same program waits, one that needs another does not.
 struct Programs::Program {
     std::mutex mutex;
-    cl::Program program;
+    BuiltProgram program;
     std::map<std::string, IdleKernels> idle;
 };
 
-cl::Kernel IdleKernels::take(const cl::Program& program, const char* name) {
+Kernel IdleKernels::take(cl_program program, const char* name) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (idle_.empty()) {
         idle_.reserve(made_ + 1);
-        cl::Kernel kernel(program, name);
+        cl_int status = CL_SUCCESS;
+        Kernel kernel(clCreateKernel(program, name, &status));
+        require_success(status, "clCreateKernel");
         ++made_;
         return kernel;
     }
-    cl::Kernel kernel = std::move(idle_.back());
+    Kernel kernel = std::move(idle_.back());
     idle_.pop_back();
     return kernel;
 }
 
-void IdleKernels::give_back(cl::Kernel kernel) noexcept {
+void IdleKernels::give_back(Kernel kernel) noexcept {
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(kernel));
 }
 
-Programs::Programs(cl::Context context, cl::Device device, const DeviceCaps& caps,
+Programs::Programs(cl_context context, cl_device_id device, const DeviceCaps& caps,
                    const Log& log, std::string options, std::string cache_folder,
                    std::string kernel_folder)
     : log_(log),
-      context_(std::move(context)),
-      device_(std::move(device)),
+      context_(context),
+      device_(device),
       identity_(caps.identity),
       options_(std::move(options)),
       kernel_folder_(std::move(kernel_folder)),
@@ -72,18 +102,18 @@ Programs::Program& Programs::program(const KernelName& name) {
 BorrowedKernel Programs::borrow(const KernelName& name) {
     Program& entry = program(name);
     const std::lock_guard<std::mutex> lock(entry.mutex);
-    if (!entry.program()) entry.program = make(name);
+    if (!entry.program) entry.program = make(name);
     IdleKernels& idle = entry.idle[name.kernel];
-    return {idle, idle.take(entry.program, name.kernel)};
+    return {idle, idle.take(entry.program.get(), name.kernel)};
 }
 
-cl::Program Programs::make(const KernelName& name) {
+BuiltProgram Programs::make(const KernelName& name) {
     const std::string source = kernel_source(name.program, kernel_folder_);
     const std::string options = options_ + ' ' + name.options;
     const std::string key =
         std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' + source;
-    cl::Program program = load(key, options);
-    if (program()) {
+    BuiltProgram program = load(key, options);
+    if (program) {
         log_(std::string(name.program) + ".cl: taken from the disk cache");
         return program;
     }
@@ -92,46 +122,46 @@ cl::Program Programs::make(const KernelName& name) {
     const double seconds = seconds_of(build);
     log_(std::string(name.program) + ".cl: compiled in " + std::to_string(seconds) +
          " s with " + options);
-    if (seconds > kSlowSeconds && seconds_of(build) > seconds / 2) store(key, program);
+    if (seconds > kSlowSeconds && seconds_of(build) > seconds / 2) store(key, program.get());
     return program;
 }
 
 // A binary that the driver refuses, or builds into nothing, is as good as none.
-cl::Program Programs::load(const std::string& key, const std::string& options) {
+BuiltProgram Programs::load(const std::string& key, const std::string& options) {
     const auto binary = cache_.load(key);
     if (!binary) return {};
-    try {
-        cl::Program program(context_, {device_}, cl::Program::Binaries{*binary});
-        program.build({device_}, options.c_str());
-        ++loaded_;
-        return program;
-    } catch (const std::exception&) {
-        return {};
-    }
+    const unsigned char* bytes = binary->data();
+    const size_t size = binary->size();
+    cl_int status = CL_SUCCESS;
+    BuiltProgram program(
+        clCreateProgramWithBinary(context_, 1, &device_, &size, &bytes, nullptr, &status));
+    if (status != CL_SUCCESS || build(program.get(), device_, options) != CL_SUCCESS) return {};
+    ++loaded_;
+    return program;
 }
 
-cl::Program Programs::compile(const KernelName& name, const std::string& source,
-                              const std::string& options) {
-    cl::Program program(context_, source);
-    cl_int failed = CL_SUCCESS;
-    try {
-        program.build({device_}, options.c_str());
-        return program;
-    } catch (const cl::BuildError& error) {
-        failed = error.err();
-    }
-    const char* const code = opencl_error_name(failed);
+BuiltProgram Programs::compile(const KernelName& name, const std::string& source,
+                               const std::string& options) {
+    const char* text = source.data();
+    const size_t size = source.size();
+    cl_int status = CL_SUCCESS;
+    BuiltProgram program(clCreateProgramWithSource(context_, 1, &text, &size, &status));
+    require_success(status, "clCreateProgramWithSource");
+    status = build(program.get(), device_, options);
+    if (status == CL_SUCCESS) return program;
+    const std::string log = build_log(program.get(), device_);
+    const char* const code = opencl_error_name(status);
     throw Error(RSH_BUILD_FAILED, name.program, ".cl (", options, "): ", code ? code : "", '\n',
-                program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
+                log);
 }
 
 // Failing to store costs the next process a compilation, and this one nothing.
-void Programs::store(const std::string& key, const cl::Program& program) const {
+void Programs::store(const std::string& key, cl_program program) const {
     try {
-        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
-        const auto devices = program.getInfo<CL_PROGRAM_DEVICES>();
-        for (size_t i = 0; i < devices.size(); ++i)
-            if (devices[i]() == device_()) cache_.store(key, binaries[i]);
+        const auto devices = info_list<cl_device_id>(program, CL_PROGRAM_DEVICES);
+        const auto binaries = binaries_of(program);
+        for (size_t i = 0; i < devices.size() && i < binaries.size(); ++i)
+            if (devices[i] == device_) cache_.store(key, binaries[i]);
     } catch (const std::exception&) {
         return;
     }

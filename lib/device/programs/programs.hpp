@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "device/cl/device_caps.hpp"
-#include "device/cl/opencl.hpp"
 #include "device/log.hpp"
+#include "device/objects/handle.hpp"
 #include "device/programs/binary_cache.hpp"
 
 namespace rsh {
@@ -25,37 +25,39 @@ struct KernelName {
     std::string options = {};
 };
 
+using BuiltProgram = Handle<cl_program>;
+
 // Kernel objects of one kernel that no call holds at the moment.
 class IdleKernels {
 public:
-    cl::Kernel take(const cl::Program& program, const char* name);
-    void give_back(cl::Kernel kernel) noexcept;
+    Kernel take(cl_program program, const char* name);
+    void give_back(Kernel kernel) noexcept;
 
 private:
     std::mutex mutex_;
-    std::vector<cl::Kernel> idle_;  // has room for all that were made
+    std::vector<Kernel> idle_;  // has room for all that were made
     size_t made_ = 0;
 };
 
 // A kernel object of one's own for a while.
 class BorrowedKernel {
 public:
-    BorrowedKernel(IdleKernels& home, cl::Kernel kernel)
+    BorrowedKernel(IdleKernels& home, Kernel kernel)
         : home_(home), kernel_(std::move(kernel)) {}
     ~BorrowedKernel() { home_.give_back(std::move(kernel_)); }
     BorrowedKernel(const BorrowedKernel&) = delete;
     BorrowedKernel& operator=(const BorrowedKernel&) = delete;
 
-    cl::Kernel& operator*() { return kernel_; }
+    cl_kernel get() const { return kernel_.get(); }
 
 private:
     IdleKernels& home_;
-    cl::Kernel kernel_;
+    Kernel kernel_;
 };
 
 class Programs {
 public:
-    Programs(cl::Context context, cl::Device device, const DeviceCaps& caps, const Log& log,
+    Programs(cl_context context, cl_device_id device, const DeviceCaps& caps, const Log& log,
              std::string options, std::string cache_folder, std::string kernel_folder);
     ~Programs();
 
@@ -67,15 +69,15 @@ public:
 private:
     struct Program;
     Program& program(const KernelName& name);
-    cl::Program make(const KernelName& name);
-    cl::Program load(const std::string& key, const std::string& options);
-    cl::Program compile(const KernelName& name, const std::string& source,
-                        const std::string& options);
-    void store(const std::string& key, const cl::Program& program) const;
+    BuiltProgram make(const KernelName& name);
+    BuiltProgram load(const std::string& key, const std::string& options);
+    BuiltProgram compile(const KernelName& name, const std::string& source,
+                         const std::string& options);
+    void store(const std::string& key, cl_program program) const;
 
     const Log& log_;
-    cl::Context context_;
-    cl::Device device_;
+    cl_context context_;  // of the Context's
+    cl_device_id device_;
     std::string identity_;
     std::string options_;
     std::string kernel_folder_;

@@ -24,7 +24,7 @@ void scan_sums(Recorder& recorder, const range_step& step, const RangeStreams& s
     const cl_uint slices = step.parents * step.slices;
     recorder.launch(RSH_STAGE_REDUCE, paper_kernel("rsh_reduce_scan_counts"), {group, group},
                     streams.sums, slices, streams.sums, slices,
-                    cl::Local(group * sizeof(cl_uint)));
+                    LocalBytes{group * sizeof(cl_uint)});
 }
 
 Range slices_range(Recorder& recorder, const range_step& step) {

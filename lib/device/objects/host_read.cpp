@@ -1,0 +1,46 @@
+#include "device/objects/host_read.hpp"
+
+#include "device/objects/waiting.hpp"
+
+namespace rsh {
+namespace {
+
+void CL_CALLBACK free_words(cl_event, cl_int, void* words) {
+    delete[] static_cast<cl_uint*>(words);
+}
+
+}  // namespace
+
+HostRead::HostRead(cl_command_queue queue, cl_mem buffer, size_t word_count, const Waits& waits)
+    : words_(new cl_uint[word_count]) {
+    require_success(
+        clEnqueueReadBuffer(queue, buffer, CL_FALSE, 0, word_count * sizeof(cl_uint),
+                            words_.get(), waits.count, waits.events, event_.out()),
+        "clEnqueueReadBuffer");
+}
+
+HostRead::~HostRead() {
+    if (!words_ || !event_ || has_ended(event_.get())) return;
+    cl_uint* const words = words_.release();
+    // A failure leaks them, on purpose.
+    clSetEventCallback(event_.get(), CL_COMPLETE, free_words, words);
+}
+
+Event HostRead::share_event() noexcept {
+    Event another = Event::retained_or_none(event_.get());
+    if (another) return another;
+    static_cast<void>(words_.release());  // leaked, on purpose
+    return std::move(event_);
+}
+
+const cl_uint* HostRead::wait() const {
+    if (event_) wait_for(event_.get());
+    if (const cl_uint* const words = arrived()) return words;
+    throw Error(CL_OUT_OF_RESOURCES, "clEnqueueReadBuffer failed: its words did not arrive");
+}
+
+const cl_uint* HostRead::arrived() const noexcept {
+    return event_ && status_of(event_.get()) == CL_COMPLETE ? words_.get() : nullptr;
+}
+
+}  // namespace rsh
