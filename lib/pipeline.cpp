@@ -29,6 +29,8 @@ public:
         : recorder_(recorder), desc_(desc), memory_(recorder, desc) {}
 
     void render() {
+        // For a wave, which is behind them; one that fails would hold it up for ever.
+        if (memory_.has_bounces()) recorder_.wait_for_callers();
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
         rasterize(recorder_, memory_.rasterize());
@@ -103,7 +105,7 @@ private:
         recorder_.fill(RSH_STAGE_OTHER, memory_.active_count(), 0, sizeof(cl_uint));
     }
 
-    // The one place where a frame waits for the device: an empty wave ends its branch of the
+    // The one place where a frame waits for what it enqueued: an empty wave ends its branch of the
     // tree, and bounds that were none end the frame.
     bool count_wave(cl_uint bounce) {
         recorder_.copy_word(recorder_.wrong_buffers(), memory_.active_count(), 1);

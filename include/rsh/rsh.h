@@ -51,7 +51,9 @@
  *              when there was nothing to do; after a failure it is NULL if nothing was
  *              enqueued, else as ever: until then commands use the call's buffers. As in
  *              OpenCL, `done` must not point into wait_list. In-order and out-of-order queues
- *              both work. rsh_frame, rsh_get_statistics, rsh_device_status,
+ *              both work. A wait list with an event that has failed is refused, with
+ *              CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST; when one fails later, the call's
+ *              commands and *done fail with it. rsh_frame, rsh_get_statistics, rsh_device_status,
  *              rsh_device_selftest and rsh_create_context may block, and say so.
  *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no
  *              buffer: those may be NULL or too small. It does no device work.
@@ -226,7 +228,8 @@ RSH_API rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* stati
 /* RSH_INVALID_VALUE, and a text that says which, when a traversal on this context met bounds or
  * nodes that were not made for it, since the last call of rsh_device_status; else RSH_SUCCESS.
  * BLOCKS until the commands enqueued on `queue` before have ended; traversals on other queues
- * count if they have ended by then. */
+ * count if they have ended by then. When one of those commands fails meanwhile:
+ * CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST. */
 RSH_API rsh_status rsh_device_status(rsh_context context, cl_command_queue queue);
 
 /* ---- what a scene needs ---- */
@@ -659,7 +662,8 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
  * Waves are the nodes of the ray tree, depth first: all reflections of a wave, then all its
  * refractions. Memory is that of one wave per bounce.
  * BLOCKS once per secondary wave, to read how many rays it holds: an empty one ends its
- * branch. */
+ * branch. Where there can be such waves, it first flushes `queue` and BLOCKS for the wait list,
+ * and enqueues nothing when an event of it fails. */
 RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
                              const rsh_frame_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);

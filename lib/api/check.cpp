@@ -1,5 +1,7 @@
 #include "api/check.hpp"
 
+#include "device/objects/waiting.hpp"
+
 namespace rsh {
 
 void require_not_null(const void* pointer, const char* field) {
@@ -21,6 +23,7 @@ void check_submission(const Context& context, cl_command_queue queue, cl_uint wa
     require((wait_count == 0) == (wait_list == nullptr), "wait_count", wait_count,
             wait_list ? "above 0 with a wait_list" : "0 without a wait_list");
     for (cl_uint i = 0; i < wait_count; ++i) require_not_null(wait_list[i], "wait_list[i]");
+    require_none_failed(wait_count, wait_list);
 }
 
 }  // namespace rsh

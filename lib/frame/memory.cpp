@@ -110,6 +110,10 @@ bool FrameMemory::casts_shadows() const {
     return needs_shadows(desc_);
 }
 
+bool FrameMemory::has_bounces() const {
+    return needs_bounces(desc_);
+}
+
 rsh_rasterize_desc FrameMemory::rasterize() const {
     rsh_rasterize_desc pass = rasterize_of(desc_);
     pass.rays = at("rays", 0);

@@ -21,6 +21,7 @@ public:
     cl_uint pixels() const { return desc_.width * desc_.height; }
     bool traces_rays() const;
     bool casts_shadows() const;
+    bool has_bounces() const;
 
     // Descriptors of the public calls over this frame's memory, for the wave of a bounce.
     rsh_rasterize_desc rasterize() const;

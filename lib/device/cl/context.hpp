@@ -8,6 +8,7 @@
 #include "device/cl/device_caps.hpp"
 #include "device/cl/scratch_pool.hpp"
 #include "device/cl/statistics_log.hpp"
+#include "device/cl/under_way.hpp"
 #include "device/log.hpp"
 #include "device/objects/handle.hpp"
 #include "device/programs/programs.hpp"
@@ -26,6 +27,7 @@ public:
     Programs programs;
     ScratchPool pool;
     StatisticsLog statistics;
+    UnderWay under_way;
     // Bit s: the strategy of value s gives wrong answers here; see rsh_device_selftest.
     std::atomic<cl_uint> unsafe_strategies{0};
 

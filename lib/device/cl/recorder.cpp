@@ -1,6 +1,7 @@
 #include "device/cl/recorder.hpp"
 
 #include "device/error.hpp"
+#include "device/objects/waiting.hpp"
 
 namespace rsh {
 
@@ -8,7 +9,8 @@ Recorder::Recorder(Context& context, const Submission& submission, cl_event* don
     : context_(context),
       queue_(submission.queue),
       done_(done),
-      wrong_buffers_(context.wrong_buffers()) {
+      wrong_buffers_(context.wrong_buffers()),
+      commands_(1) {
     callers_.reserve(submission.wait_count);
     for (cl_uint i = 0; i < submission.wait_count; ++i)
         callers_.push_back(Event::retained(submission.wait_list[i]));
@@ -16,18 +18,30 @@ Recorder::Recorder(Context& context, const Submission& submission, cl_event* don
 
 // Also after a failure in the middle: what was enqueued may still use the blocks.
 Recorder::~Recorder() {
+    const cl_event last = last_command();
     for (ScratchBlock& block : blocks_) {
-        if (last_) block.last_use = Event::retained_or_none(last_.get());
-        if (last_ && !block.last_use)
+        if (last) block.last_use = Event::retained_or_none(last);
+        if (last && !block.last_use)
             context_.pool.give_up(std::move(block));
         else
             context_.pool.give_back(std::move(block));
     }
-    if (done_ && last_) *done_ = last_.release();
+    if (done_ && last) {
+        *done_ = last;
+        if (clRetainEvent(last) != CL_SUCCESS) static_cast<void>(commands().back().release());
+    }
+    while (!commands().empty() && !commands().back()) commands().pop_back();
+    context_.under_way.keep(std::move(commands_));
 }
 
-Waits Recorder::waits() const {
-    if (last_) return {1, last_.list()};
+cl_event Recorder::last_command() const {
+    return commands().empty() ? nullptr : commands().back().get();
+}
+
+Waits Recorder::prepare() {
+    std::vector<Event>& made = commands();
+    if (made.size() == made.capacity()) made.reserve(2 * made.size() + 8);
+    if (!made.empty()) return {1, made.back().list()};
     return {static_cast<cl_uint>(callers_.size()), list_of(callers_)};
 }
 
@@ -38,9 +52,10 @@ void Recorder::enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel,
             ? 1
             : fitting_group(name.kernel, range, group_limits(kernel, context_.device));
     const size_t items = (range.items + size - 1) / size * size;
+    const Waits waits = prepare();
     Event event;
     const cl_int status = clEnqueueNDRangeKernel(queue_, kernel, 1, nullptr, &items, &size,
-                                                 waits().count, waits().events, event.out());
+                                                 waits.count, waits.events, event.out());
     if (status != CL_SUCCESS) {
         const char* const code = opencl_error_name(status);
         throw Error(status, "clEnqueueNDRangeKernel of ", name.kernel, " failed",
@@ -51,11 +66,15 @@ void Recorder::enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel,
 
 void Recorder::record(cl_uint stage, Event event) {
     continue_after(std::move(event));
-    context_.statistics.add_command(stage, last_.get());
+    context_.statistics.add_command(stage, last_command());
 }
 
+// An event of the caller's that fails after it was looked at and before the first command is
+// behind it may hold that command back for ever; see waiting.hpp.
 void Recorder::continue_after(Event event) {
-    last_ = std::move(event);
+    commands().push_back(std::move(event));
+    if (commands().size() == 1)
+        require_none_failed(static_cast<cl_uint>(callers_.size()), list_of(callers_));
 }
 
 // On CPUs a group is a task: single items, a few per core to balance uneven runs.
@@ -68,15 +87,16 @@ Range Recorder::stream_range() const {
 
 void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset) {
     if (bytes == 0) return;
+    const Waits waits = prepare();
     Event event;
     require_success(clEnqueueFillBuffer(queue_, buffer, &word, sizeof word, offset, bytes,
-                                        waits().count, waits().events, event.out()),
+                                        waits.count, waits.events, event.out()),
                     "clEnqueueFillBuffer");
     record(stage, std::move(event));
 }
 
 void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use) {
-    HostRead read(queue_, buffer, word_count, waits());
+    HostRead read(queue_, buffer, word_count, prepare());
     continue_after(read.share_event());
     context_.statistics.add_read({std::move(read), std::move(use)});
 }
@@ -87,16 +107,23 @@ void Recorder::own_wrong_buffers(cl_mem word) {
 }
 
 void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {
+    const Waits waits = prepare();
     Event event;
     require_success(
         clEnqueueCopyBuffer(queue_, from, to, 0, index * sizeof(cl_uint), sizeof(cl_uint),
-                            waits().count, waits().events, event.out()),
+                            waits.count, waits.events, event.out()),
         "clEnqueueCopyBuffer");
     record(RSH_STAGE_OTHER, std::move(event));
 }
 
+void Recorder::wait_for_callers() {
+    if (callers_.empty()) return;
+    require_success(clFlush(queue_), "clFlush");
+    wait_for_all(static_cast<cl_uint>(callers_.size()), list_of(callers_));
+}
+
 std::array<cl_uint, 2> Recorder::read_now(cl_mem buffer) {
-    HostRead read(queue_, buffer, 2, waits());
+    HostRead read(queue_, buffer, 2, prepare());
     record(RSH_STAGE_OTHER, read.share_event());
     require_success(clFlush(queue_), "clFlush");
     context_.statistics.add([](rsh_statistics& sums) { ++sums.host_waits; });
@@ -106,18 +133,18 @@ std::array<cl_uint, 2> Recorder::read_now(cl_mem buffer) {
 
 cl_mem Recorder::borrow_scratch(size_t bytes) {
     blocks_.reserve(blocks_.size() + 1);  // what is borrowed is given back
-    blocks_.push_back(context_.pool.borrow(bytes, queue_, waits()));
+    blocks_.push_back(context_.pool.borrow(bytes, queue_, prepare()));
     return blocks_.back().buffer.get();
 }
 
 // The last command ends after all others. No marker behind it: PoCL 3.1 lets one wait for
 // whatever the queue holds, also when it is given a wait list and the queue is out of order.
 void Recorder::finish() {
-    if (!done_ || last_) return;
+    if (!done_ || last_command()) return;
+    const Waits waits = prepare();
     Event event;
-    require_success(
-        clEnqueueMarkerWithWaitList(queue_, waits().count, waits().events, event.out()),
-        "clEnqueueMarkerWithWaitList");
+    require_success(clEnqueueMarkerWithWaitList(queue_, waits.count, waits.events, event.out()),
+                    "clEnqueueMarkerWithWaitList");
     continue_after(std::move(event));
 }
 

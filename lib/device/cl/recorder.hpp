@@ -62,6 +62,9 @@ public:
     void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
     // Copies a word of `from` to the word `index` of `to`.
     void copy_word(cl_mem from, cl_mem to, size_t index);
+    // BLOCKS until the caller's events ended, and throws when one failed. For a call that will
+    // block, before it enqueues anything.
+    void wait_for_callers();
     // BLOCKS for two words from the front of `buffer`; rsh_frame only.
     std::array<cl_uint, 2> read_now(cl_mem buffer);
 
@@ -88,14 +91,18 @@ private:
     void enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel, const Range& range);
     void record(cl_uint stage, Event event);
     void continue_after(Event event);
-    Waits waits() const;  // of the next command
+    // What the next command waits for. Makes room for its event, which then cannot be lost.
+    Waits prepare();
+    cl_event last_command() const;  // NULL: none yet
+    std::vector<Event>& commands() { return commands_.front(); }
+    const std::vector<Event>& commands() const { return commands_.front(); }
 
     Context& context_;
     cl_command_queue queue_;
     cl_event* done_;
     cl_mem wrong_buffers_;
     std::vector<Event> callers_;  // the wait list
-    Event last_;                  // command; none until one is enqueued
+    UnderWay::Calls commands_;    // of this call, as one
     std::vector<ScratchBlock> blocks_;
 };
 

@@ -22,6 +22,22 @@ cl_int status_of(cl_event event) noexcept {
     return status;
 }
 
+void require_none_failed(cl_uint count, const cl_event* wait_list) {
+    for (cl_uint i = 0; i < count; ++i) {
+        const cl_int status = checked_status_of(wait_list[i]);
+        if (status < CL_COMPLETE)
+            throw Error(kFailed, "wait_list[", i, "]: failed with ", status, " ",
+                        name_or_nothing(status), ", must not have failed");
+    }
+}
+
+// What failed tells more than that waiting failed.
+void wait_for_all(cl_uint count, const cl_event* wait_list) {
+    const cl_int waited = clWaitForEvents(count, wait_list);
+    require_none_failed(count, wait_list);
+    require_success(waited, "clWaitForEvents");
+}
+
 void wait_for(cl_event event) {
     const cl_int waited = clWaitForEvents(1, &event), status = checked_status_of(event);
     if (status < CL_COMPLETE)
