@@ -1,8 +1,9 @@
 #include "device/programs/kernel_source.hpp"
 
-#include <fstream>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <set>
-#include <sstream>
 
 #include "device/error.hpp"
 
@@ -21,9 +22,15 @@ std::string read_embedded(const std::string& name) {
 std::string read_from(const std::string& folder, const std::string& name) {
     const std::string path =
         folder + (name.rfind("rsh/", 0) == 0 ? "/../include/" : "/") + name;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(RSH_INVALID_VALUE, "kernel_dir: cannot read ", path);
-    return {std::istreambuf_iterator<char>(file), {}};
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                               std::fclose);
+    std::string text;
+    char part[4096];
+    while (const size_t bytes = file ? std::fread(part, 1, sizeof part, file.get()) : 0)
+        text.append(part, bytes);
+    if (!file || std::ferror(file.get()))
+        throw Error(RSH_INVALID_VALUE, "kernel_dir: cannot read ", path);
+    return text;
 }
 
 std::string included_name(const std::string& line) {
@@ -50,39 +57,42 @@ void require_unconditional(int conditions, const std::string& name, int line) {
                     " includes a file under a condition, must do so always");
 }
 
+// No streams: they take a want of memory for the end of the text.
 class Expander {
 public:
     explicit Expander(const std::string& folder) : folder_(folder) {}
 
     void expand(const std::string& name) {
         if (!seen_.insert(name).second) return;
-        std::istringstream text(folder_.empty() ? read_embedded(name)
-                                                : read_from(folder_, name));
+        const std::string text =
+            folder_.empty() ? read_embedded(name) : read_from(folder_, name);
         mark(1, name);
-        std::string line;
-        int conditions = 0;
-        for (int number = 1; std::getline(text, line); ++number) {
+        int conditions = 0, number = 1;
+        for (size_t begin = 0; begin < text.size(); ++number) {
+            const size_t end = std::min(text.find('\n', begin), text.size());
+            const std::string line = text.substr(begin, end - begin);
             const std::string include = included_name(line);
             conditions += conditions_opened(line);
             if (include.empty()) {
-                out_ << line << '\n';
+                out_ += line + '\n';
             } else {
                 require_unconditional(conditions, name, number);
                 expand(include);
                 mark(number + 1, name);
             }
+            begin = end + 1;
         }
     }
-    std::string text() const { return out_.str(); }
+    std::string text() const { return out_; }
 
 private:
     void mark(int line, const std::string& name) {
-        out_ << "#line " << line << " \"" << name << "\"\n";
+        out_ += "#line " + std::to_string(line) + " \"" + name + "\"\n";
     }
 
     std::string folder_;
     std::set<std::string> seen_;
-    std::ostringstream out_;
+    std::string out_;
 };
 
 }  // namespace
