@@ -34,9 +34,9 @@ Event HostRead::share_event() noexcept {
 }
 
 const cl_uint* HostRead::wait() const {
-    if (event_) wait_for(event_.get());
-    if (const cl_uint* const words = arrived()) return words;
-    throw Error(CL_OUT_OF_RESOURCES, "clEnqueueReadBuffer failed: its words did not arrive");
+    if (!event_) throw opencl_error(CL_OUT_OF_HOST_MEMORY, "clRetainEvent");  // share_event
+    wait_for(event_.get());
+    return words_.get();
 }
 
 const cl_uint* HostRead::arrived() const noexcept {
