@@ -240,6 +240,32 @@ TEST_F(FailedEvent, OfACallBeforeIsNoStrategysFault) {
     EXPECT_EQ(report.unsafe_strategies, 0u) << report.first_failure;
 }
 
+// PoCL is still busy with the failure when those wake up who wait for it.
+TEST_F(FailedEvent, IsSurvivedByThoseWhoWaitForIt) {
+    test::Random random(13);
+    const test::OwnContext context;
+    rsh_statistics sums = {};
+    sums.struct_size = sizeof sums;
+    for (int run = 0; run < 300; ++run) {
+        const cl::CommandQueue queue = new_queue();
+        cl::UserEvent late(device().context);
+        const rsh_rasterize_desc desc = calls.valid.rasterize();
+        RSH_CHECK(rsh_count_statistics(context.get(), run % 2));
+        RSH_CHECK(rsh_rasterize(context.get(), queue(), &desc, 1, &late(), nullptr));
+        queue.flush();
+        const auto delay = std::chrono::microseconds(random.below(100));
+        std::thread failing([&] {
+            std::this_thread::sleep_for(delay);
+            late.setStatus(CL_OUT_OF_RESOURCES);
+        });
+        RSH_CHECK(rsh_get_statistics(context.get(), &sums));
+        rsh_device_status(context.get(), queue());
+        RSH_CHECK(rsh_count_statistics(context.get(), CL_FALSE));
+        failing.join();
+    }
+    EXPECT_TRUE(calls.valid.outputs_untouched());
+}
+
 // At any moment around the call: whichever comes first, nothing hangs and no failure is missed.
 TEST_F(FailedEvent, IsNeverMissedByAFrame) {
     test::Random random(12);

@@ -10,7 +10,7 @@ Recorder::Recorder(Context& context, const Submission& submission, cl_event* don
       queue_(submission.queue),
       done_(done),
       wrong_buffers_(context.wrong_buffers()),
-      commands_(1) {
+      call_(1) {
     callers_.reserve(submission.wait_count);
     for (cl_uint i = 0; i < submission.wait_count; ++i)
         callers_.push_back(Event::retained(submission.wait_list[i]));
@@ -31,7 +31,7 @@ Recorder::~Recorder() {
         if (clRetainEvent(last) != CL_SUCCESS) static_cast<void>(commands().back().release());
     }
     while (!commands().empty() && !commands().back()) commands().pop_back();
-    context_.under_way.keep(std::move(commands_));
+    context_.under_way.keep(std::move(call_));
 }
 
 cl_event Recorder::last_command() const {

@@ -94,15 +94,15 @@ private:
     // What the next command waits for. Makes room for its event, which then cannot be lost.
     Waits prepare();
     cl_event last_command() const;  // NULL: none yet
-    std::vector<Event>& commands() { return commands_.front(); }
-    const std::vector<Event>& commands() const { return commands_.front(); }
+    std::vector<Event>& commands() { return call_.front().commands; }
+    const std::vector<Event>& commands() const { return call_.front().commands; }
 
     Context& context_;
     cl_command_queue queue_;
     cl_event* done_;
     cl_mem wrong_buffers_;
     std::vector<Event> callers_;  // the wait list
-    UnderWay::Calls commands_;    // of this call, as one
+    UnderWay::Calls call_;        // this one, with its commands
     std::vector<ScratchBlock> blocks_;
 };
 

@@ -6,6 +6,33 @@
 
 namespace rsh {
 
+namespace {
+
+// The commands of a call, held on as others'.
+class KeptCommands {
+public:
+    explicit KeptCommands(UnderWay& under_way) : under_way_(under_way), call_(1) {
+        call_.front().commands.reserve(3);
+    }
+    ~KeptCommands() {
+        std::vector<Event>& made = call_.front().commands;
+        if (!made.empty() && !made.back()) made.pop_back();
+        under_way_.keep(std::move(call_));
+    }
+    KeptCommands(const KeptCommands&) = delete;
+    KeptCommands& operator=(const KeptCommands&) = delete;
+
+    // Where the next one's event goes.
+    cl_event* next() { return call_.front().commands.emplace_back().out(); }
+    Waits after_last() const { return {1, call_.front().commands.back().list()}; }
+
+private:
+    UnderWay& under_way_;
+    UnderWay::Calls call_;
+};
+
+}  // namespace
+
 void require_right_buffers(cl_uint bits) {
     if (!bits) return;
     const char* which = bits == RSH_WRONG_BOUNDS  ? "bounds: were"
@@ -16,21 +43,22 @@ void require_right_buffers(cl_uint bits) {
                 "with the same shape, triangles and rays");
 }
 
-cl_uint take_wrong_buffers(const Context& context, cl_command_queue queue) {
+cl_uint take_wrong_buffers(Context& context, cl_command_queue queue) {
     const cl_mem word = context.wrong_buffers();
-    Event before, cleared;
-    require_success(clEnqueueBarrierWithWaitList(queue, 0, nullptr, before.out()),
+    KeptCommands kept(context.under_way);
+    require_success(clEnqueueBarrierWithWaitList(queue, 0, nullptr, kept.next()),
                     "clEnqueueBarrierWithWaitList");
-    const HostRead read(queue, word, 1, {1, before.list()});
+    HostRead read(queue, word, 1, kept.after_last());
+    *kept.next() = read.share_event().release();
     require_success(clFlush(queue), "clFlush");
     const cl_uint bits = *read.wait();
     if (!bits) return 0;
     const cl_uint none = 0;
     require_success(clEnqueueFillBuffer(queue, word, &none, sizeof none, 0, sizeof none, 0,
-                                        nullptr, cleared.out()),
+                                        nullptr, kept.next()),
                     "clEnqueueFillBuffer");
     require_success(clFlush(queue), "clFlush");
-    wait_for(cleared.get());
+    wait_for(*kept.after_last().events);
     return bits;
 }
 

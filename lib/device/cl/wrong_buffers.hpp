@@ -10,6 +10,6 @@ namespace rsh {
 void require_right_buffers(cl_uint bits);
 
 // BLOCKS for what `queue` holds; then the word is 0 again.
-cl_uint take_wrong_buffers(const Context& context, cl_command_queue queue);
+cl_uint take_wrong_buffers(Context& context, cl_command_queue queue);
 
 }  // namespace rsh
