@@ -67,7 +67,9 @@
  *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure, a
  *              kernel that is too large for the device (RSH_UNSUPPORTED) or RSH_CANCELLED in the
  *              middle of a call, when they are undefined and *done tells when their memory is
- *              free again. rsh_last_error() says more.
+ *              free again. rsh_last_error() says more. No exception leaves a function, and
+ *              no failure needs memory to be told, that of memory included: then the call
+ *              returns RSH_OUT_OF_MEMORY, and works again when there is some.
  *   Threads    Any function may be called from any thread. Calls on one context run side by
  *              side if their output buffers differ; rsh_release_context must be the last call
  *              on it.
@@ -125,7 +127,8 @@ enum {
 RSH_API const char* rsh_status_string(rsh_status status);
 
 /* What the last failed call of this thread found wrong: field, actual and required value; for
- * RSH_BUILD_FAILED the compiler's log. Never NULL; valid until the thread's next rsh call. */
+ * RSH_BUILD_FAILED the compiler's log. Cut off after 16 KB. Never NULL; valid until the thread's
+ * next rsh call. */
 RSH_API const char* rsh_last_error(void);
 
 /* RSH_VERSION of the library at run time; differs from the header's when they do not match. */

@@ -231,6 +231,39 @@ TEST(DoneEvent, EndsAfterTheCommandsOfACallThatWasCancelled) {
     EXPECT_TRUE(ends(queue, done));
 }
 
+// Out of a C function's callback no exception should come; one that does goes no further.
+TEST(Callback, ThatThrowsEndsItsCallAlone) {
+    const test::ValidCalls valid;
+    rsh_context_desc own = {};
+    own.struct_size = sizeof own;
+    own.context = device().context();
+    own.device = device().device();
+    bool throws = true;
+    own.log_user = &throws;
+    own.log = [](const char*, void* user) {
+        if (*static_cast<bool*>(user)) throw std::runtime_error("the log is full");
+    };
+    rsh_context context = nullptr;
+    RSH_CHECK(rsh_create_context(&own, &context));
+    const rsh_reduce_desc reduce = valid.reduce();
+    EXPECT_EQ(rsh_reduce(context, device().queue(), &reduce, 0, nullptr, nullptr),
+              RSH_INTERNAL_ERROR);
+    EXPECT_STREQ(rsh_last_error(), "the log is full");
+    throws = false;
+    EXPECT_EQ(rsh_reduce(context, device().queue(), &reduce, 0, nullptr, nullptr), RSH_SUCCESS)
+        << rsh_last_error();
+    rsh_frame_desc frame = valid.frame();
+    frame.bounces = 2;
+    frame.progress = [](cl_uint, cl_uint, void*) -> int { throw 7; };
+    EXPECT_EQ(rsh_frame(context, device().queue(), &frame, 0, nullptr, nullptr),
+              RSH_INTERNAL_ERROR);
+    device().queue.finish();
+    frame.progress = nullptr;
+    EXPECT_EQ(rsh_frame(context, device().queue(), &frame, 0, nullptr, nullptr), RSH_SUCCESS);
+    device().queue.finish();
+    rsh_release_context(context);
+}
+
 TEST(DoneEvent, IsNullWhenNothingWasEnqueued) {
     const test::ValidCalls valid;
     rsh_reduce_desc desc = valid.reduce();

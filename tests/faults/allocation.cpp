@@ -51,6 +51,14 @@ void* operator new[](size_t bytes) {
     return operator new(bytes);
 }
 
+void* operator new(size_t bytes, const std::nothrow_t&) noexcept {
+    return runs_out() ? nullptr : std::malloc(bytes ? bytes : 1);
+}
+
+void* operator new[](size_t bytes, const std::nothrow_t& none) noexcept {
+    return operator new(bytes, none);
+}
+
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
