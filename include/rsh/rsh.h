@@ -140,9 +140,10 @@ RSH_API cl_uint rsh_version(void);
 typedef struct rsh_context_s* rsh_context;
 
 /* Called with one line about what a call does that takes long or falls back: a program compiled
- * or loaded from disk and how long that took, a strategy that the self-test masked. From the
- * calling thread, which may be any and several at once; must not call rsh on that context. The
- * text is gone when it returns. */
+ * or loaded from disk and how long that took, a program on disk that was refused, a strategy that
+ * the self-test masked. From the calling thread, which may be any and several at once; must not
+ * call rsh on that context. The text is gone when it returns. What it throws, as other callbacks
+ * do, ends the call with RSH_INTERNAL_ERROR. */
 typedef void (*rsh_log)(const char* message, void* user);
 
 typedef struct rsh_context_desc {
@@ -151,8 +152,9 @@ typedef struct rsh_context_desc {
     cl_device_id device;    /* of that context */
     cl_uint vector_width;   /* elements per work-item written out as a vector: 1, 4, 8 or 16;
                                0: what suits the device (1 on GPUs) */
-    const char* cache_dir;  /* programs on disk; NULL: RSH_CACHE_DIR, else the user's cache;
-                               "": none */
+    const char* cache_dir;  /* programs on disk, see rsh_create_context; "": none; NULL: the
+                               folder RSH_CACHE_DIR, else rsh in XDG_CACHE_HOME, else .cache/rsh
+                               in HOME, from the environment; none without these */
     const char* kernel_dir; /* kernel sources, while developing; NULL: RSH_KERNEL_DIR, else the
                                embedded ones */
     rsh_log log;            /* NULL: silence */
@@ -160,7 +162,16 @@ typedef struct rsh_context_desc {
 } rsh_context_desc;
 
 /* Makes a context. Compiles nothing: a program is built by the first call that needs it, which
- * blocks meanwhile. Reads the disk cache's folder name from the environment.
+ * blocks meanwhile.
+ *
+ * Cache:   what a program compiles to may be kept in a folder, which is made for the user alone
+ *          (mode 0700), and is loaded from there by later contexts. As it is code that will run,
+ *          folder and file must belong to the process's effective user, root being no exception,
+ *          and be writable by nobody else; a file must be a regular one of at most 64 MB, whose
+ *          SHA-256 digest over the binary and what it was made from is the one that it begins
+ *          with. A file that is refused is removed and its program compiled anew; with a folder
+ *          that is refused all are. The log is told the reason, of the first refusal of a
+ *          context.
  * Errors: RSH_INVALID_VALUE (device is not of the context), RSH_UNSUPPORTED (no OpenCL C 1.2,
  * no compiler, big-endian). Cost: microseconds. */
 RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);

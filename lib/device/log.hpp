@@ -3,7 +3,7 @@
 
 #include <rsh/rsh.h>
 
-#include <string>
+#include "device/text.hpp"
 
 namespace rsh {
 
@@ -11,8 +11,13 @@ class Log {
 public:
     Log(rsh_log call, void* user) : call_(call), user_(user) {}
 
-    void operator()(const std::string& line) const {
-        if (call_) call_(line.c_str(), user_);
+    // The parts of a line: strings, characters, numbers. Takes no memory.
+    template <class... Parts>
+    void operator()(const Parts&... parts) const {
+        if (!call_) return;
+        char line[2048];
+        Text(line, sizeof line).add(parts...);
+        call_(line, user_);
     }
 
 private:

@@ -1,41 +1,49 @@
 // binary_cache.hpp - compiled programs in a folder on disk. Knows bytes and keys, no OpenCL.
 //
-// A file holds a key, a checksum and the binary; it is written under a temporary name and
-// renamed, so a reader sees all of it or nothing. Files used least recently go when the folder
-// grows past its cap, and temporary ones that a process left behind. Nothing here throws: any
-// failure only means that a program is compiled again.
+// A file is named after the digest of its key, and begins with a digest over key and binary: half
+// a file, or one of another key, is known. One that is not what was stored is removed, and told to
+// the log, the first of a cache with the reason. Files used least recently go when the folder grows
+// past its cap, and temporary ones that a process left behind. Any failure only means that a
+// program is compiled again.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "device/log.hpp"
+
 namespace rsh {
 
 class BinaryCache {
 public:
-    static constexpr uint64_t kMaxBytes = 64u << 20;
+    static constexpr uint64_t kMaxBytes = 64u << 20;  // of all, and so of one
 
     // `folder` empty: disabled, nothing is ever found or stored.
-    explicit BinaryCache(std::string folder, uint64_t max_bytes = kMaxBytes)
-        : folder_(std::move(folder)), max_bytes_(max_bytes) {}
+    explicit BinaryCache(std::string folder, const Log& log = {nullptr, nullptr},
+                         uint64_t max_bytes = kMaxBytes)
+        : folder_(std::move(folder)), log_(log), max_bytes_(max_bytes) {}
 
     // Folder from the descriptor, else RSH_CACHE_DIR, else XDG_CACHE_HOME/rsh, else
     // ~/.cache/rsh.
     static std::string folder_for(const char* requested);
 
-    std::optional<std::vector<unsigned char>> load(const std::string& key) const noexcept;
-    void store(const std::string& key, const std::vector<unsigned char>& binary) const noexcept;
+    // Both throw only what the log does.
+    std::optional<std::vector<unsigned char>> load(const std::string& key);
+    void store(const std::string& key, const std::vector<unsigned char>& binary);
 
 private:
     std::optional<std::vector<unsigned char>> read(const std::string& key) const;
     void write(const std::string& key, const std::vector<unsigned char>& binary) const;
-    std::string path_of(const std::string& key) const;
-    void evict() const;
+    template <class Work>
+    auto unless_it_fails(Work work) -> decltype(work());
 
     std::string folder_;
+    Log log_;
     uint64_t max_bytes_;
+    std::atomic<bool> has_told_{false};
 };
 
 }  // namespace rsh

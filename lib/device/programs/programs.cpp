@@ -1,6 +1,7 @@
 #include "device/programs/programs.hpp"
 
 #include <chrono>
+#include <new>
 
 #include "device/error.hpp"
 #include "device/programs/kernel_source.hpp"
@@ -88,7 +89,7 @@ Programs::Programs(cl_context context, cl_device_id device, const DeviceCaps& ca
       identity_(caps.identity),
       options_(std::move(options)),
       kernel_folder_(std::move(kernel_folder)),
-      cache_(std::move(cache_folder)) {}
+      cache_(std::move(cache_folder), log) {}
 
 Programs::~Programs() = default;
 
@@ -114,14 +115,13 @@ BuiltProgram Programs::make(const KernelName& name) {
         std::to_string(RSH_VERSION) + '\n' + identity_ + '\n' + options + '\n' + source;
     BuiltProgram program = load(key, options);
     if (program) {
-        log_(std::string(name.program) + ".cl: taken from the disk cache");
+        log_(name.program, ".cl: taken from the disk cache");
         return program;
     }
     const auto build = [&] { program = compile(name, source, options); };
     ++built_;
     const double seconds = seconds_of(build);
-    log_(std::string(name.program) + ".cl: compiled in " + std::to_string(seconds) +
-         " s with " + options);
+    log_(name.program, ".cl: compiled in ", seconds, " s with ", options);
     if (seconds > kSlowSeconds && seconds_of(build) > seconds / 2) store(key, program.get());
     return program;
 }
@@ -156,13 +156,15 @@ BuiltProgram Programs::compile(const KernelName& name, const std::string& source
 }
 
 // Failing to store costs the next process a compilation, and this one nothing.
-void Programs::store(const std::string& key, cl_program program) const {
+void Programs::store(const std::string& key, cl_program program) {
     try {
         const auto devices = info_list<cl_device_id>(program, CL_PROGRAM_DEVICES);
         const auto binaries = binaries_of(program);
         for (size_t i = 0; i < devices.size() && i < binaries.size(); ++i)
             if (devices[i] == device_) cache_.store(key, binaries[i]);
-    } catch (const std::exception&) {
+    } catch (const Error&) {
+        return;
+    } catch (const std::bad_alloc&) {
         return;
     }
 }

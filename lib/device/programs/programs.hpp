@@ -73,7 +73,7 @@ private:
     BuiltProgram load(const std::string& key, const std::string& options);
     BuiltProgram compile(const KernelName& name, const std::string& source,
                          const std::string& options);
-    void store(const std::string& key, cl_program program) const;
+    void store(const std::string& key, cl_program program);
 
     const Log& log_;
     cl_context context_;  // of the Context's
