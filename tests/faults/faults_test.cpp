@@ -1,6 +1,7 @@
 // faults_test.cpp - host memory runs out, or OpenCL fails, at any moment of any call, once or for
 // good: the call says so, loses nothing, and the next one works. RSH_FAULT_SAMPLES is how many
 // moments of each call are tried, 60 unless it says otherwise; where a call has no more, all are.
+// RSH_FAULT_CALL is a part of the names of those to try.
 #include "faults/faults.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 
 #include "faults/every_call.hpp"
@@ -104,7 +106,9 @@ protected:
     void at_chosen_moments(Kind kind, Check check) {
         test::Random random(kind == Kind::memory ? 121 : 122);
         const auto before = calls_->traced();
+        const char* const only = std::getenv("RSH_FAULT_CALL");
         for (const Call& call : calls_->all()) {
+            if (only && !std::strstr(call.name, only)) continue;
             Watch watch(call.name);
             run(call, {});  // builds its programs
             const size_t count = moments_of(call, kind);

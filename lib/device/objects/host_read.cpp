@@ -27,14 +27,14 @@ HostRead::~HostRead() {
 }
 
 Event HostRead::share_event() noexcept {
-    Event another = Event::retained_or_none(event_.get());
-    if (another) return another;
+    given_up_ = clRetainEvent(event_.get());
+    if (given_up_ == CL_SUCCESS) return Event(event_.get());
     static_cast<void>(words_.release());  // leaked, on purpose
     return std::move(event_);
 }
 
 const cl_uint* HostRead::wait() const {
-    if (!event_) throw opencl_error(CL_OUT_OF_HOST_MEMORY, "clRetainEvent");  // share_event
+    require_success(given_up_, "clRetainEvent");
     wait_for(event_.get());
     return words_.get();
 }

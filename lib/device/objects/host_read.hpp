@@ -31,6 +31,7 @@ public:
 private:
     std::unique_ptr<cl_uint[]> words_;
     Event event_;
+    cl_int given_up_ = CL_SUCCESS;  // why
 };
 
 }  // namespace rsh
