@@ -1,6 +1,7 @@
 // text_scan.cpp - views in, views and numbers out. Copies nothing but what strtod needs.
 #include "files/text_scan.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -35,6 +36,15 @@ std::optional<long long> parse_integer(std::string_view token) {
     if (token.empty() || error != std::errc() || end != token.data() + token.size())
         return std::nullopt;
     return value;
+}
+
+std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    for (;;) {
+        text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+        if (text.substr(0, kMark.size()) != kMark) return text;
+        text.remove_prefix(kMark.size());
+    }
 }
 
 std::string_view trimmed(std::string_view text) {

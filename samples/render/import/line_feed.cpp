@@ -1,4 +1,5 @@
-// line_feed.cpp - joins lines that end with a backslash.
+// line_feed.cpp - joins lines that end with a backslash. Files that were put one behind the other
+// have byte order marks in the middle.
 #include "import/line_feed.hpp"
 
 #include "files/text_scan.hpp"
@@ -10,7 +11,7 @@ LineFeed::int_type LineFeed::underflow() {
     line_.clear();
     bool goes_on = true;
     while (goes_on && !rest_.empty()) {
-        std::string_view part = take_line(rest_);
+        std::string_view part = without_mark(take_line(rest_));
         ++number_;
         goes_on = !part.empty() && part.back() == '\\';
         if (goes_on) part.remove_suffix(1);

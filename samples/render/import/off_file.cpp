@@ -12,7 +12,7 @@ namespace {
 class OffReader {
 public:
     OffReader(const std::string& bytes, const std::string& name)
-        : bytes_(bytes.size()), rest_(bytes), name_(name) {}
+        : bytes_(bytes.size()), rest_(without_mark(bytes)), name_(name) {}
 
     ParsedMesh read() {
         read_header();

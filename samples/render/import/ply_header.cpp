@@ -106,7 +106,7 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
 }
 
 PlyHeader read_ply_header(std::string_view file, const std::string& name) {
-    std::string_view rest = file;
+    std::string_view rest = without_mark(file);
     if (trimmed(take_line(rest)) != "ply")
         throw LoadError(name + ": does not start with 'ply'");
     PlyHeader header;

@@ -66,7 +66,7 @@ Corners read_corners(const std::string& bytes, const std::string& name) {
     const size_t needed = kHeaderBytes + 4 + triangles * kTriangleBytes;
     // Many binary files start with "solid" too; their size decides.
     if (has_count && needed == bytes.size()) return read_binary(bytes, triangles);
-    std::string_view text = bytes;
+    std::string_view text = without_mark(bytes);
     const bool is_text =
         lower_case(take_token(text)) == "solid" && bytes.find('\0') == std::string::npos;
     if (is_text) return read_text(bytes, name);
