@@ -42,9 +42,9 @@ size_t first_corner(const Soup& soup, size_t polygon) {
 
 void add_triangles(const Soup& soup, size_t first, size_t end,
                    const std::vector<uint32_t>& vertex_of_corner, Mesh& mesh) {
-    std::vector<glm::vec3> polygon;
+    std::vector<glm::dvec3> polygon;
     for (size_t i = first; i < end; ++i)
-        polygon.push_back(soup.positions[soup.corners[i].vertex]);
+        polygon.emplace_back(soup.positions[soup.corners[i].vertex]);
     for (const glm::uvec3 t : triangulate(polygon))
         mesh.triangles.push_back({vertex_of_corner[first + t.x], vertex_of_corner[first + t.y],
                                   vertex_of_corner[first + t.z]});

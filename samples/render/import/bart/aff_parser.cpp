@@ -158,7 +158,8 @@ private:
             add_vertex(points.back(), normal);
             if (has_texcoords) tokens_.number("u"), tokens_.number("v");
         }
-        for (const glm::uvec3 t : triangulate(points)) add_triangle(first + t);
+        for (const glm::uvec3 t : triangulate({points.begin(), points.end()}))
+            add_triangle(first + t);
     }
 
     void moving_triangle() {
