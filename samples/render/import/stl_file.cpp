@@ -39,18 +39,25 @@ glm::vec3 read_vertex(std::string_view& rest, const std::string& where) {
     return position;
 }
 
-// Several solids make one soup.
+// A solid's name is the rest of its line, up to its first facet if that is there as well.
+void skip_name(std::string_view& rest) {
+    std::string_view behind = rest;
+    const std::string line = lower_case(take_line(behind));
+    const size_t facet = line.find("facet normal");
+    rest = facet == line.npos ? behind : rest.substr(facet);
+}
+
+// Several solids make one soup. Words count, not lines.
 Corners read_text(std::string_view rest, const std::string& name) {
     Corners corners;
     size_t facets = 0, loops = 0;
     while (!rest.empty()) {
-        std::string_view line = take_line(rest);
-        const std::string keyword = lower_case(take_token(line));
-        const std::string where = keyword == "vertex" || keyword == "endloop"
-                                      ? name + ", facet " + std::to_string(facets)
-                                      : std::string();
+        const std::string keyword = lower_case(take_token(rest));
         if (keyword == "facet") ++facets;
-        if (keyword == "vertex") corners.push_back(read_vertex(line, where));
+        if (keyword == "solid" || keyword == "endsolid") skip_name(rest);
+        if (keyword != "vertex" && keyword != "endloop") continue;
+        const std::string where = name + ", facet " + std::to_string(facets);
+        if (keyword == "vertex") corners.push_back(read_vertex(rest, where));
         if (keyword == "endloop" && corners.size() != 3 * ++loops)
             throw LoadError(where + ": has not 3 vertices");
     }
@@ -60,23 +67,29 @@ Corners read_text(std::string_view rest, const std::string& name) {
     return corners;
 }
 
-Corners read_corners(const std::string& bytes, const std::string& name) {
+Corners read_corners(const std::string& bytes, ParsedMesh& parsed, const std::string& name) {
     const bool has_count = bytes.size() >= kHeaderBytes + 4;
     const size_t triangles = has_count ? little_endian_word(bytes.data() + kHeaderBytes) : 0;
     const size_t needed = kHeaderBytes + 4 + triangles * kTriangleBytes;
     // Many binary files start with "solid" too; their size decides.
     if (has_count && needed == bytes.size()) return read_binary(bytes, triangles);
-    std::string_view text = without_mark(bytes);
+    const std::string_view text = without_mark(bytes);
+    std::string_view rest = text;
     const bool is_text =
-        lower_case(take_token(text)) == "solid" && bytes.find('\0') == std::string::npos;
-    if (is_text) return read_text(bytes, name);
+        lower_case(take_token(rest)) == "solid" && bytes.find('\0') == std::string::npos;
+    if (is_text) return read_text(text, name);
+    const std::string size = std::to_string(bytes.size()) + " bytes";
     if (!has_count)
-        throw LoadError(name + ": starts with no 'solid', and " + std::to_string(bytes.size()) +
-                        " bytes are less than the 84 of a binary header");
-    if (needed < bytes.size()) return read_binary(bytes, triangles);
-    throw LoadError(name + ": the header promises " + std::to_string(triangles) +
-                    " triangles, which need " + std::to_string(needed) +
-                    " bytes, but there are " + std::to_string(bytes.size()));
+        throw LoadError(name + ": starts with no 'solid', and " + size +
+                        " are less than the 84 of a binary header");
+    const std::string promise = "the header promises " + std::to_string(triangles) +
+                                " triangles, which need " + std::to_string(needed) +
+                                " bytes, but there are " + std::to_string(bytes.size());
+    if (needed > bytes.size()) throw LoadError(name + ": " + promise);
+    parsed.warnings.push_back(name + ": " + promise);
+    // Who writes without knowing the end leaves a 0.
+    const size_t possible = (bytes.size() - kHeaderBytes - 4) / kTriangleBytes;
+    return read_binary(bytes, triangles == 0 ? possible : triangles);
 }
 
 }  // namespace
@@ -85,7 +98,7 @@ ParsedMesh read_stl(const std::string& bytes, const std::string& name) {
     ParsedMesh parsed;
     Soup& soup = parsed.soup;
     Weld weld;
-    for (const glm::vec3& position : read_corners(bytes, name)) {
+    for (const glm::vec3& position : read_corners(bytes, parsed, name)) {
         soup.corners.push_back({weld(position), {}, {}});
         if (soup.corners.size() % 3 == 0) soup.ends.push_back(soup.corners.size());
     }

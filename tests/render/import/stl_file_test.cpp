@@ -52,6 +52,37 @@ TEST(StlFile, ReadsSeveralSolidsAsText) {
         std::string::npos);
 }
 
+TEST(StlFile, WordsCountNotLines) {
+    const std::string facet =
+        "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1\n0 0 VERTEX 0 1 0 endloop "
+        "endfacet ";
+    const TemporaryFolder folder;
+    for (const std::string start : {"solid ", "SOLID a vertex\n", "solid a loop "})
+        EXPECT_EQ(load_mesh(folder.write("a.stl", start + facet + facet + "endsolid a facet"))
+                      .mesh.triangles.size(),
+                  2u)
+            << start;
+    EXPECT_NE(error_of_mesh(folder.write("b.stl", "solid\n" + facet + "vertex 1 y 0"))
+                  .find("b.stl, facet 1: a vertex needs 3 numbers, but has 'y'"),
+              std::string::npos);
+}
+
+TEST(StlFile, CountsThatAreTooSmallAreAWarning) {
+    const std::string whole = binary({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 1});
+    const TemporaryFolder folder;
+    for (const auto& [count, triangles] : {std::pair(0u, 2u), std::pair(1u, 1u)}) {
+        std::string changed = whole;
+        changed.replace(80, 4, bytes_of<uint32_t>({count}));
+        const Model model = load_mesh(folder.write("a.stl", changed));
+        EXPECT_EQ(model.mesh.triangles.size(), triangles) << "count " << count;
+        EXPECT_EQ(model.warnings.size(), 1u) << "count " << count;
+    }
+    std::string changed = whole;
+    changed.replace(80, 4, "\xff\xff\xff\xff");
+    EXPECT_NE(error_of_mesh(folder.write("a.stl", changed)).find("promises 4294967295"),
+              std::string::npos);
+}
+
 TEST(StlFile, EveryTruncationOfABinaryFileIsAnError) {
     const std::string whole = binary({0, 0, 0, 1, 0, 0, 0, 1, 0});
     const TemporaryFolder folder;
