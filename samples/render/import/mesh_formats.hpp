@@ -4,10 +4,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "import/soup.hpp"
+#include "model/soup.hpp"
 
 namespace render {
+
+// What a mesh file says, before its material files are read.
+struct ParsedMesh {
+    Soup soup;
+    std::vector<std::string> material_names;  // soup.materials are indices into these
+    std::vector<std::string> material_files;
+    std::string texture;  // of a file without materials
+    std::vector<std::string> warnings;
+};
 
 // Wavefront OBJ, through tinyobjloader. Ignores groups, lines, points and free-form surfaces.
 ParsedMesh read_obj(const std::string& bytes, const std::string& name);

@@ -34,15 +34,6 @@ struct Soup {
     bool corners_have_texcoords = false;
 };
 
-// What a mesh file says, before its material files are read.
-struct ParsedMesh {
-    Soup soup;
-    std::vector<std::string> material_names;  // soup.materials are indices into these
-    std::vector<std::string> material_files;
-    std::string texture;  // of a file without materials
-    std::vector<std::string> warnings;
-};
-
 // Leaves out polygons with a vertex that is not there or with fewer than three corners, and adds
 // a warning for each kind. `name` starts it.
 void drop_bad_polygons(Soup& soup, const std::string& name, std::vector<std::string>& warnings);

@@ -1,6 +1,6 @@
 // soup.cpp - polygons -> triangles whose corners are shared where all attributes agree. Keeps
 // every triangle, also those without area.
-#include "import/soup.hpp"
+#include "model/soup.hpp"
 
 #include <algorithm>
 #include <cstring>
