@@ -38,6 +38,12 @@ std::optional<long long> parse_integer(std::string_view token) {
     return value;
 }
 
+void require_text(std::string_view bytes, const std::string& name) {
+    const std::string_view start = bytes.substr(0, 2);
+    if (start == "\xfe\xff" || start == "\xff\xfe" || bytes.find('\0') != bytes.npos)
+        throw LoadError(name + ": is not text of single bytes (UTF-16?); needs ASCII or UTF-8");
+}
+
 std::string_view without_mark(std::string_view text) {
     constexpr std::string_view kMark = "\xef\xbb\xbf";
     for (;;) {

@@ -20,6 +20,9 @@ struct LoadError : std::runtime_error {
 std::optional<double> parse_number(std::string_view token);
 std::optional<long long> parse_integer(std::string_view token);
 
+// Throws LoadError for bytes that are no text, or text of wider characters. `name` starts it.
+void require_text(std::string_view bytes, const std::string& name);
+
 // Removes what may stand before the first keyword of a text: blanks and UTF-8 byte order marks.
 std::string_view without_mark(std::string_view text);
 

@@ -12,16 +12,6 @@
 namespace render {
 namespace {
 
-bool has_mark_of_utf16(const std::string& bytes) {
-    return bytes.compare(0, 2, "\xfe\xff") == 0 || bytes.compare(0, 2, "\xff\xfe") == 0;
-}
-
-void check_text(const std::string& bytes, const std::string& location) {
-    if (has_mark_of_utf16(bytes) || bytes.find('\0') != std::string::npos)
-        throw LoadError(location +
-                        ": is not text of single bytes (UTF-16?); needs ASCII or UTF-8");
-}
-
 // For a file without a known extension.
 std::string guess_format(const std::string& bytes, const std::string& location) {
     std::string_view text = without_mark(bytes);
@@ -41,11 +31,9 @@ std::string format_of(const Asset& asset) {
 ParsedMesh parse(const Asset& asset) {
     const std::string format = format_of(asset);
     if (format == "stl") return read_stl(asset.bytes, asset.location);
-    if (has_mark_of_utf16(asset.bytes)) check_text(asset.bytes, asset.location);
     if (format == "ply") return read_ply(asset.bytes, asset.location);
-    check_text(asset.bytes, asset.location);
-    return format == "off" ? read_off(asset.bytes, asset.location)
-                           : read_obj(asset.bytes, asset.location);
+    if (format == "off") return read_off(asset.bytes, asset.location);
+    return read_obj(asset.bytes, asset.location);
 }
 
 std::map<std::string, Material> read_material_files(const ParsedMesh& parsed,
@@ -54,7 +42,7 @@ std::map<std::string, Material> read_material_files(const ParsedMesh& parsed,
     std::map<std::string, Material> materials;
     for (const std::string& file : parsed.material_files) try {
             const Asset asset = read_asset(sibling_path(location, file));
-            check_text(asset.bytes, asset.location);
+            require_text(asset.bytes, asset.location);
             read_mtl(asset.bytes, asset.location, materials, warnings);
         } catch (const LoadError& error) {
             warnings.push_back(error.what());

@@ -22,10 +22,11 @@ struct ParsedMesh {
 // Wavefront OBJ, through tinyobjloader. Ignores groups, lines, points and free-form surfaces.
 ParsedMesh read_obj(const std::string& bytes, const std::string& name);
 
-// Geomview OFF. Ignores colours and other attributes; refuses binary and higher-dimensional OFF.
+// Geomview OFF. Text and binary; ignores colours and other attributes, refuses other dimensions
+// than three.
 ParsedMesh read_off(const std::string& bytes, const std::string& name);
 
-// PLY, with normals and texture coordinates. Ignores other properties and elements.
+// PLY, with triangle strips, normals and texture coordinates. Ignores other properties and elements.
 ParsedMesh read_ply(const std::string& bytes, const std::string& name);
 
 // STL, text and binary. Merges vertices that are equal bit for bit, so that every triangle stays.

@@ -187,6 +187,7 @@ private:
 }  // namespace
 
 ParsedMesh read_obj(const std::string& bytes, const std::string& name) {
+    require_text(bytes, name);
     return ObjReader(bytes, name).read();
 }
 

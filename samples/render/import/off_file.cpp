@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "files/text_scan.hpp"
+#include "import/off_binary.hpp"
 
 namespace render {
 namespace {
@@ -15,11 +16,13 @@ public:
         : bytes_(bytes.size()), rest_(without_mark(bytes)), name_(name) {}
 
     ParsedMesh read() {
-        read_header();
-        parsed_.soup.positions.reserve(vertices_);
-        parsed_.soup.ends.reserve(faces_);
-        for (size_t i = 0; i < vertices_; ++i) read_vertex(i);
-        for (size_t i = 0; i < faces_; ++i) read_face(i);
+        require_text(rest_.substr(0, 3), name_);
+        if (read_header()) {
+            parsed_.soup = read_off_binary(rest_, keyword_, name_);
+        } else {
+            require_text(rest_, name_);
+            read_text();
+        }
         drop_bad_polygons(parsed_.soup, name_, parsed_.warnings);
         return std::move(parsed_);
     }
@@ -40,17 +43,55 @@ private:
         }
     }
 
-    // The keyword may be absent: then the file starts with its counts.
-    void read_header() {
+    // The words of the next line that has any.
+    static std::vector<std::string_view> take_words(std::string_view& text) {
+        std::vector<std::string_view> words;
+        while (words.empty() && !text.empty()) {
+            std::string_view line = take_line(text);
+            line = line.substr(0, line.find('#'));
+            for (auto word = take_token(line); !word.empty(); word = take_token(line))
+                words.push_back(word);
+        }
+        return words;
+    }
+
+    // Is the rest binary? The keyword may be absent: then the file starts with its counts.
+    bool read_header() {
         const std::string_view start = rest_;
-        const std::string_view keyword = take_word();
-        if (parse_integer(keyword))
+        const std::string_view word = take_word();
+        if (parse_integer(word)) {
             rest_ = start;
-        else
-            read_keyword(keyword);
+            return false;
+        }
+        keyword_ = read_off_keyword(word, name_);
+        if (!keyword_.glued.empty())  // its digits are the end of the word
+            rest_ = {keyword_.glued.data(),
+                     static_cast<size_t>(start.data() + start.size() - keyword_.glued.data())};
+        if (keyword_.has_attributes())
+            parsed_.warnings.push_back(name_ + ": only the positions of " + std::string(word) +
+                                       " are used");
+        std::string_view behind = rest_;
+        const bool is_binary = lower_case(take_token(behind)) == "binary";
+        if (is_binary) {
+            rest_ = behind;
+            take_line(rest_);
+        }
+        return is_binary;
+    }
+
+    void read_text() {
+        read_counts();
+        has_lines_of_more_ = vertices_have_more_on_their_lines();
+        parsed_.soup.positions.reserve(vertices_);
+        parsed_.soup.ends.reserve(faces_);
+        for (size_t i = 0; i < vertices_; ++i) read_vertex(i);
+        for (size_t i = 0; i < faces_; ++i) read_face(i);
+    }
+
+    void read_counts() {
         vertices_ = read_count("vertices");
         faces_ = read_count("faces");
-        take_line(rest_);  // the count of edges, which some writers leave out
+        skip_edge_count();
         // A vertex takes 6 characters ("0 0 0" and a line end), a face 2 ("0" and a line end).
         const size_t possible = (bytes_ + 1) / 2;
         if (vertices_ > possible / 3 || faces_ > possible || 3 * vertices_ + faces_ > possible)
@@ -59,19 +100,24 @@ private:
                  " bytes cannot hold");
     }
 
-    void read_keyword(std::string_view keyword) {
-        const bool is_off = keyword.size() >= 3 && keyword.substr(keyword.size() - 3) == "OFF";
-        const std::string prefix(is_off ? keyword.substr(0, keyword.size() - 3) : keyword);
-        size_t at = 0;
-        if (prefix.compare(at, 2, "ST") == 0) at += 2, extra_words_ += 2;
-        if (prefix.compare(at, 1, "C") == 0) at += 1, has_colours_ = true;
-        if (prefix.compare(at, 1, "N") == 0) at += 1, extra_words_ += 3;
-        if (!is_off || at != prefix.size())
-            fail("starts with '" + std::string(keyword) +
-                 "', but needs OFF, possibly after ST, C and N in this order");
-        if (at > 0)
-            parsed_.warnings.push_back(name_ + ": only the positions of " +
-                                       std::string(keyword) + " are used");
+    // Some writers leave it out, some put it on a line of its own, where no vertex has one number.
+    void skip_edge_count() {
+        std::string_view line = take_line(rest_);
+        const std::string_view word = take_token(line);
+        if (!word.empty() && word[0] != '#') return;
+        std::string_view behind = rest_;
+        const auto words = take_words(behind);
+        if (words.size() == 1 && parse_integer(words[0])) rest_ = behind;
+    }
+
+    // Colours or normals that the keyword does not promise.
+    bool vertices_have_more_on_their_lines() const {
+        std::string_view text = rest_;
+        const size_t first = take_words(text).size();
+        if (first <= 3 || vertices_ < 2 || take_words(text).size() != first) return false;
+        size_t lines = 2;
+        while (!take_words(text).empty()) ++lines;
+        return lines >= vertices_ + faces_;
     }
 
     size_t read_count(const char* what) {
@@ -97,15 +143,20 @@ private:
             position[i] = *value;
         }
         parsed_.soup.positions.emplace_back(position);
-        if (has_colours_)
+        if (keyword_.has_colours || has_lines_of_more_) {
             take_line(rest_);  // their number is not fixed
-        else
-            for (int i = 0; i < extra_words_; ++i) take_word();
+            return;
+        }
+        const int more = 3 * keyword_.has_normals + 2 * keyword_.has_texcoords;
+        for (int i = 0; i < more; ++i) take_word();
     }
 
     void read_face(size_t face) {
         Soup& soup = parsed_.soup;
         const auto corners = parse_integer(take_word());
+        if (corners && *corners > static_cast<long long>(rest_.size()))
+            fail("face " + std::to_string(face) + " promises " + std::to_string(*corners) +
+                 " corners, but only " + std::to_string(rest_.size()) + " bytes are left");
         for (long long i = 0; corners && i < *corners; ++i) {
             const std::string_view word = take_word();
             const auto index = parse_integer(word);
@@ -131,8 +182,8 @@ private:
     std::string_view rest_;
     const std::string name_;
     size_t vertices_ = 0, faces_ = 0;
-    int extra_words_ = 0;
-    bool has_colours_ = false;
+    OffKeyword keyword_;
+    bool has_lines_of_more_ = false;
     ParsedMesh parsed_;
 };
 

@@ -2,6 +2,7 @@
 #include "import/mesh_formats.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "files/text_scan.hpp"
 #include "import/ply_header.hpp"
@@ -34,23 +35,36 @@ public:
 
     ParsedMesh read() {
         parsed_.texture = header_.texture;
-        for (const PlyElement& element : header_.elements) {
-            if (element.name == "vertex")
-                read_vertices(element);
-            else if (element.name == "face")
-                read_faces(element);
-            else
-                skip(element);
-            // Nothing behind the faces matters, and some files break off there.
-            if (element.name == "face") break;
-        }
+        const auto& elements = header_.elements;
+        const auto last = std::find_if(elements.rbegin(), elements.rend(), is_used);
+        // Nothing behind the last of them matters, and some files break off there.
+        for (auto element = elements.begin(); element != last.base(); ++element) read(*element);
         if (soup_.corners_have_texcoords) give_normals_to_corners();
         drop_bad_polygons(soup_, name_, parsed_.warnings);
         return std::move(parsed_);
     }
 
 private:
+    static bool is_used(const PlyElement& element) {
+        return element.name == "vertex" || element.name == "face" ||
+               element.name == "tristrips";
+    }
+
+    void read(const PlyElement& element) {
+        if (element.name == "vertex")
+            read_vertices(element);
+        else if (element.name == "face")
+            read_faces(element);
+        else if (element.name == "tristrips")
+            read_strips(element);
+        else {
+            parsed_.warnings.push_back(name_ + ": element " + element.name + " was ignored");
+            values_.skip(element);
+        }
+    }
+
     void read_vertices(const PlyElement& element) {
+        if (!soup_.positions.empty()) throw LoadError(name_ + ": has two elements vertex");
         for (const char* axis : {"x", "y", "z"})
             if (!element.find(axis))
                 throw LoadError(name_ + ": a vertex has no property " + axis);
@@ -59,6 +73,7 @@ private:
         for (const PlyProperty& p : element.properties) slots.push_back(slot_of(p));
         const bool has_texcoords = std::count(slots.begin(), slots.end(), 7) > 0;
         for (size_t i = 0; i < element.count; ++i) {
+            values_.start_row(element, i);
             float v[8] = {};
             for (size_t k = 0; k < slots.size(); ++k) {
                 const PlyProperty& p = element.properties[k];
@@ -73,28 +88,70 @@ private:
         }
     }
 
+    void require_indices(const PlyElement& element) const {
+        const auto& all = element.properties;
+        if (element.count > 0 && std::none_of(all.begin(), all.end(), is_index_list))
+            throw LoadError(name_ + ": element " + element.name +
+                            " has no list property vertex_indices");
+    }
+
     void read_faces(const PlyElement& element) {
-        if (std::none_of(element.properties.begin(), element.properties.end(), is_index_list))
-            throw LoadError(name_ + ": a face has no list property vertex_indices");
-        for (size_t i = 0; i < element.count; ++i)
+        require_indices(element);
+        for (size_t i = 0; i < element.count; ++i) {
+            values_.start_row(element, i);
             for (const PlyProperty& p : element.properties) {
                 if (is_index_list(p))
-                    read_indices(p);
+                    read_polygon(p);
                 else if (p.count_type && p.name == "texcoord")
                     read_corner_texcoords(p);
                 else
                     values_.skip(p);
             }
+        }
     }
 
-    void read_indices(const PlyProperty& p) {
-        const size_t count = values_.next_count(p);
-        for (size_t i = 0; i < count; ++i) {
-            const double index = values_.next(*p.type);
-            const bool fits = index >= 0.0 && index < kNoVertex;
-            soup_.corners.push_back({fits ? static_cast<uint32_t>(index) : kNoVertex, {}, {}});
+    std::vector<uint32_t> read_indices(const PlyProperty& p) {
+        std::vector<uint32_t> indices(values_.next_count(p));
+        for (uint32_t& index : indices) {
+            const double value = values_.next(*p.type);
+            const bool fits = value >= 0.0 && value < kNoVertex && value == std::floor(value);
+            index = fits ? static_cast<uint32_t>(value) : kNoVertex;
         }
+        return indices;
+    }
+
+    void read_polygon(const PlyProperty& p) {
+        for (const uint32_t index : read_indices(p)) soup_.corners.push_back({index, {}, {}});
         soup_.ends.push_back(soup_.corners.size());
+    }
+
+    void read_strips(const PlyElement& element) {
+        require_indices(element);
+        for (size_t i = 0; i < element.count; ++i) {
+            values_.start_row(element, i);
+            for (const PlyProperty& p : element.properties) {
+                if (is_index_list(p))
+                    add_strips(read_indices(p));
+                else
+                    values_.skip(p);
+            }
+        }
+    }
+
+    // Each index makes a triangle with the two before it, every second one the other way round.
+    // A -1 ends a strip; triangles without area turn it around a corner.
+    void add_strips(const std::vector<uint32_t>& indices) {
+        size_t start = 0;
+        for (size_t i = 0; i < indices.size(); ++i) {
+            if (indices[i] == kNoVertex) start = i + 1;
+            if (i < start + 2) continue;
+            const bool is_odd = (i - start) % 2 != 0;
+            const uint32_t a = indices[i - 2 + is_odd], b = indices[i - 1 - is_odd];
+            if (a == b || a == indices[i] || b == indices[i]) continue;
+            for (const uint32_t index : {a, b, indices[i]})
+                soup_.corners.push_back({index, {}, {}});
+            soup_.ends.push_back(soup_.corners.size());
+        }
     }
 
     // Two numbers a corner, on each face. Corners without numbers have texture coordinate 0.
@@ -115,12 +172,6 @@ private:
         for (Corner& corner : soup_.corners)
             if (corner.vertex < soup_.normals.size())
                 corner.normal = soup_.normals[corner.vertex];
-    }
-
-    void skip(const PlyElement& element) {
-        parsed_.warnings.push_back(name_ + ": element " + element.name + " was ignored");
-        for (size_t i = 0; i < element.count; ++i)
-            for (const PlyProperty& p : element.properties) values_.skip(p);
     }
 
     const PlyHeader header_;

@@ -2,7 +2,10 @@
 #include "import/ply_header.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <iomanip>
+#include <sstream>
 
 #include "files/text_scan.hpp"
 
@@ -41,9 +44,11 @@ PlyHeader::Format format_named(std::string_view name, const std::string& file) {
 PlyElement read_element(std::string_view line, const std::string& file) {
     PlyElement element;
     element.name = std::string(take_token(line));
-    const auto count = parse_integer(take_token(line));
+    const std::string_view word = take_token(line);
+    const auto count = parse_integer(word);
     if (!count || *count < 0)
-        throw LoadError(file + ": element " + element.name + " has no valid count");
+        throw LoadError(file + ": element " + element.name + " has the count '" +
+                        std::string(word) + "', which must be a whole number from 0");
     element.count = static_cast<size_t>(*count);
     return element;
 }
@@ -105,14 +110,33 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
     return nullptr;
 }
 
+namespace {
+
+// A header whose first line ends with CR alone is followed by values, not by an LF of the last line.
+std::string_view take_header_line(std::string_view& text, bool ends_with_cr) {
+    if (!ends_with_cr) return take_line(text);
+    const size_t end = std::min(text.find('\r'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+}  // namespace
+
 PlyHeader read_ply_header(std::string_view file, const std::string& name) {
     std::string_view rest = without_mark(file);
-    if (trimmed(take_line(rest)) != "ply")
-        throw LoadError(name + ": does not start with 'ply'");
+    require_text(rest.substr(0, 3), name);
+    const size_t end = rest.find_first_of("\r\n");
+    const bool ends_with_cr =
+        end != rest.npos && rest.substr(end, 2) != "\r\n" && rest[end] == '\r';
+    const std::string_view first = trimmed(take_header_line(rest, ends_with_cr));
+    if (lower_case(first) != "ply")
+        throw LoadError(name + ": starts with '" + std::string(first.substr(0, 20)) +
+                        "', but needs 'ply'");
     PlyHeader header;
     for (;;) {
         if (rest.empty()) throw LoadError(name + ": the PLY header has no end_header");
-        const std::string_view line = trimmed(take_line(rest));
+        const std::string_view line = trimmed(take_header_line(rest, ends_with_cr));
         if (line == "end_header") break;
         read_header_line(line, header, name);
     }
@@ -124,18 +148,21 @@ PlyHeader read_ply_header(std::string_view file, const std::string& name) {
 PlyValues::PlyValues(std::string_view file, const PlyHeader& header, std::string name)
     : rest_(file.substr(header.bytes)), format_(header.format), name_(std::move(name)) {}
 
+void PlyValues::fail(const std::string& what) const {
+    const std::string row = element_ ? ": " + element_->name + " " + std::to_string(row_) : "";
+    throw LoadError(name_ + row + what);
+}
+
 double PlyValues::next(const PlyType& type) {
     if (format_ == PlyHeader::Format::ascii) {
         const std::string_view token = take_token(rest_);
         const auto value = parse_number(token);
-        if (token.empty())
-            throw LoadError(name_ + ": ends before the values its header promises");
-        if (!value)
-            throw LoadError(name_ + ": needs a number, but has '" + std::string(token) + "'");
+        if (token.empty()) fail(": the file ends before the values that its header promises");
+        if (!value) fail(": needs a number, but has '" + std::string(token) + "'");
         return *value;
     }
     if (rest_.size() < type.bytes)
-        throw LoadError(name_ + ": ends before the values its header promises");
+        fail(": the file ends before the values that its header promises");
     const double value = type.read(rest_.data(), format_ == PlyHeader::Format::big_endian);
     rest_.remove_prefix(type.bytes);
     return value;
@@ -143,16 +170,30 @@ double PlyValues::next(const PlyType& type) {
 
 size_t PlyValues::next_count(const PlyProperty& list) {
     const double count = next(*list.count_type);
-    if (!(count >= 0.0 && count <= static_cast<double>(rest_.size())))
-        throw LoadError(name_ + ": a list promises " + std::to_string(count) +
-                        " values, but the file has " + std::to_string(rest_.size()) +
-                        " bytes left");
+    // In text, a value takes a blank and a character.
+    const size_t each = format_ == PlyHeader::Format::ascii ? 2 : list.type->bytes;
+    const size_t room = rest_.size() / each;
+    if (!(count >= 0.0 && count <= static_cast<double>(room)) || count != std::floor(count)) {
+        std::ostringstream text;
+        text << ": list " << list.name << " promises " << std::setprecision(17) << count
+             << " values, but needs a whole number up to " << room << ", for the "
+             << rest_.size() << " bytes that are left";
+        fail(text.str());
+    }
     return static_cast<size_t>(count);
 }
 
 void PlyValues::skip(const PlyProperty& property) {
     const size_t count = property.count_type ? next_count(property) : 1;
     for (size_t i = 0; i < count; ++i) next(*property.type);
+}
+
+void PlyValues::skip(const PlyElement& element) {
+    if (element.properties.empty()) return;  // of any number of them
+    for (size_t i = 0; i < element.count; ++i) {
+        start_row(element, i);
+        for (const PlyProperty& p : element.properties) skip(p);
+    }
 }
 
 }  // namespace render

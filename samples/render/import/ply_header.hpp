@@ -41,11 +41,18 @@ PlyHeader read_ply_header(std::string_view file, const std::string& name);
 class PlyValues {
 public:
     PlyValues(std::string_view file, const PlyHeader& header, std::string name);
+    // What the values that follow belong to: "face 3", for messages.
+    void start_row(const PlyElement& element, size_t row) { element_ = &element, row_ = row; }
     double next(const PlyType& type);
     size_t next_count(const PlyProperty& list);
     void skip(const PlyProperty& property);
+    void skip(const PlyElement& element);
 
 private:
+    [[noreturn]] void fail(const std::string& what) const;
+
+    const PlyElement* element_ = nullptr;
+    size_t row_ = 0;
     std::string_view rest_;
     PlyHeader::Format format_;
     std::string name_;
