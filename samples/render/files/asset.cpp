@@ -5,11 +5,14 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 #include "files/text_scan.hpp"
 
@@ -149,7 +152,74 @@ std::optional<Asset> read_from_archive_of_same_name(const std::string& path) {
     return std::nullopt;
 }
 
+// Of the names that differ from `wanted` in case only, the first in order; empty: there is none.
+std::string find_spelling(const std::vector<std::string>& names, const std::string& wanted) {
+    std::string found;
+    for (const std::string& name : names)
+        if (lower_case(name) == lower_case(wanted) && (found.empty() || name < found))
+            found = name;
+    return found;
+}
+
+std::vector<std::string> names_in_folder(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end;
+         !error && entry != end; entry.increment(error)) {
+        names.push_back(entry->path().filename().string());
+        const std::string name = names.back();
+        for (const char* ending : kCompressed)
+            if (ends_with(name, ending))
+                names.push_back(name.substr(0, name.size() - std::strlen(ending)));
+    }
+    return names;
+}
+
+std::optional<std::string> find_in_folders(const std::string& path) {
+    fs::path found;
+    for (const fs::path& part : fs::path(path)) {
+        std::error_code ignored;
+        fs::path next = found / part;
+        if (!fs::exists(next, ignored)) {
+            const std::string name = find_spelling(names_in_folder(found), part.string());
+            if (name.empty()) return std::nullopt;
+            next = found / name;
+        }
+        found = next;
+    }
+    std::error_code ignored;
+    if (fs::is_directory(found, ignored)) return std::nullopt;
+    return found.string();
+}
+
+std::vector<std::string> names_in_archive(const std::string& path) {
+    const Archive a = open_archive(path, false);
+    std::vector<std::string> names;
+    archive_entry* entry = nullptr;
+    while (archive_read_next_header(a.get(), &entry) == ARCHIVE_OK)
+        names.push_back(member_name(archive_entry_pathname(entry)));
+    return names;
+}
+
+std::optional<std::string> find_in_archive(const std::string& archive,
+                                           const std::string& member) {
+    const std::string wanted = member_name(member.c_str());
+    const std::vector<std::string> names = names_in_archive(archive);
+    const bool is_exact = std::find(names.begin(), names.end(), wanted) != names.end();
+    const std::string name = is_exact ? wanted : find_spelling(names, wanted);
+    if (name.empty()) return std::nullopt;
+    return archive + ":" + name;
+}
+
 }  // namespace
+
+std::optional<std::string> find_asset(const std::string& path) {
+    if (is_file(path)) return path;
+    const size_t colon = member_colon(path);
+    return colon == std::string::npos
+               ? find_in_folders(path)
+               : find_in_archive(path.substr(0, colon), path.substr(colon + 1));
+}
 
 Asset read_asset(const std::string& path) {
     if (is_file(path)) return read_existing(path);

@@ -8,6 +8,7 @@
 //   dir/x.obj             if both are absent and dir/x.tar.xz holds x.obj: that member
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace render {
@@ -19,6 +20,10 @@ struct Asset {
 
 // Throws LoadError when there is nothing to read, or what there is cannot be unpacked.
 Asset read_asset(const std::string& path);
+
+// The path of what read_asset would read for `path`, in the case of letters that it has there;
+// nothing if it is not there in any case of letters.
+std::optional<std::string> find_asset(const std::string& path);
 
 // The path of `name` as a file at `location` refers to it: beside it, in its archive if it is
 // in one. An absolute `name` stays as it is.

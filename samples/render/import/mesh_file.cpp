@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "files/asset.hpp"
+#include "files/references.hpp"
 #include "files/text_scan.hpp"
 #include "import/mesh_formats.hpp"
 #include "import/mtl_file.hpp"
@@ -40,13 +42,16 @@ std::map<std::string, Material> read_material_files(const ParsedMesh& parsed,
                                                     const std::string& location,
                                                     std::vector<std::string>& warnings) {
     std::map<std::string, Material> materials;
-    for (const std::string& file : parsed.material_files) try {
-            const Asset asset = read_asset(sibling_path(location, file));
-            require_text(asset.bytes, asset.location);
-            read_mtl(asset.bytes, asset.location, materials, warnings);
-        } catch (const LoadError& error) {
-            warnings.push_back(error.what());
-        }
+    std::set<std::string> known;
+    for (const std::string& line : parsed.material_files)
+        for (const std::string& path : find_references(location, line, ".mtl")) try {
+                if (!known.insert(path).second) continue;
+                const Asset asset = read_asset(path);
+                require_text(asset.bytes, asset.location);
+                read_mtl(asset.bytes, asset.location, materials, warnings);
+            } catch (const LoadError& error) {
+                warnings.push_back(location + ": mtllib: " + error.what());
+            }
     return materials;
 }
 
@@ -75,7 +80,7 @@ void add_materials(ParsedMesh& parsed, const std::string& location, Model& model
     std::replace(of_faces.begin(), of_faces.end(), kNoMaterial, last);
     if (uses_default) model.materials.push_back(default_material());
     if (!parsed.texture.empty())
-        model.materials[0].texture = sibling_path(location, parsed.texture);
+        model.materials[0].texture = find_reference(location, parsed.texture);
 }
 
 }  // namespace

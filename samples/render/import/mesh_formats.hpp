@@ -14,8 +14,8 @@ namespace render {
 struct ParsedMesh {
     Soup soup;
     std::vector<std::string> material_names;  // soup.materials are indices into these
-    std::vector<std::string> material_files;
-    std::string texture;  // of a file without materials
+    std::vector<std::string> material_files;  // lines, each of one or several names
+    std::string texture;                      // of a file without materials
     std::vector<std::string> warnings;
 };
 

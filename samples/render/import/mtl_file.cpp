@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <istream>
 
-#include "files/asset.hpp"
+#include "files/references.hpp"
 #include "files/text_scan.hpp"
 #include "import/line_feed.hpp"
 
@@ -40,9 +40,7 @@ std::string texture_name(std::string_view line) {
         else
             take_token(line);
     }
-    std::string name(line);
-    std::replace(name.begin(), name.end(), '\\', '/');
-    return name;
+    return std::string(line);
 }
 
 // The value of a term as tinyobjloader is to read it; empty: as if the line were absent.
@@ -84,7 +82,7 @@ Material to_material(const tinyobj::material_t& terms, const std::string& locati
     m.emission = colour(terms.emission);
     m.shininess = static_cast<float>(terms.shininess);
     if (!terms.diffuse_texname.empty())
-        m.texture = sibling_path(location, terms.diffuse_texname);
+        m.texture = find_reference(location, terms.diffuse_texname);
     const auto opacity = static_cast<float>(terms.dissolve);
     m.transmission = glm::vec3(std::clamp(1.0f - opacity, 0.0f, 1.0f));
     switch (terms.illum) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <istream>
 #include <map>
+#include <set>
 
 #include "files/text_scan.hpp"
 #include "import/line_feed.hpp"
@@ -60,12 +61,13 @@ private:
         return c;
     }
 
-    // tinyobjloader would take a blank for the end of a material file's name, and does not know
-    // the old spelling of f.
+    // tinyobjloader takes blanks for the ends of material files' names, and does not know the old
+    // spelling of f.
     void edit(std::string& line) {
         std::string_view rest = line;
         const std::string_view keyword = take_token(rest);
-        if (keyword == "mtllib") parsed_.material_files.emplace_back(trimmed(rest));
+        if (keyword == "mtllib" && known_files_.emplace(trimmed(rest)).second)
+            parsed_.material_files.emplace_back(trimmed(rest));
         if (keyword == "fo") line = "f" + std::string(rest);
     }
 
@@ -180,6 +182,7 @@ private:
     std::vector<glm::vec2> texcoords_;
     std::vector<index_t> corners_;  // indices from 1; 0: absent
     std::map<std::string, uint32_t> known_materials_;
+    std::set<std::string> known_files_;
     uint32_t material_ = kNoMaterial;
     size_t absent_ = 0;
 };
