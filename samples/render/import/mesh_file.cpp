@@ -83,6 +83,22 @@ void add_materials(ParsedMesh& parsed, const std::string& location, Model& model
         model.materials[0].texture = find_reference(location, parsed.texture);
 }
 
+// Materials may want other texture coordinates than their faces have; corners that share a vertex
+// then differ, and become two.
+void map_texcoords(const std::vector<Material>& materials, Soup& soup) {
+    if (!soup.corners_have_texcoords || soup.materials.empty()) return;
+    size_t corner = 0;
+    for (size_t i = 0; i < soup.ends.size(); ++i) {
+        const Material& m = materials[soup.materials[i]];
+        const bool is_mapped =
+            m.texture_scale != glm::vec2(1.0f) || m.texture_shift != glm::vec2(0.0f);
+        for (; corner < soup.ends[i]; ++corner) {
+            glm::vec2& uv = soup.corners[corner].texcoord;
+            if (is_mapped) uv = m.texture_scale * uv + m.texture_shift;
+        }
+    }
+}
+
 }  // namespace
 
 NumberedModel load_numbered_mesh(const std::string& path) {
@@ -91,6 +107,7 @@ NumberedModel load_numbered_mesh(const std::string& path) {
     NumberedModel result;
     result.model.warnings = parsed.warnings;
     add_materials(parsed, asset.location, result.model);
+    map_texcoords(result.model.materials, parsed.soup);
     const Soup& soup = parsed.soup;
     if (soup.positions.empty()) throw LoadError(asset.location + ": holds no vertex");
     if (soup.ends.empty())

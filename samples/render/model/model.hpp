@@ -34,7 +34,10 @@ struct Material {
     glm::vec3 transmission{0.0f};
     float ior = 1.0f;
     glm::vec3 emission{0.0f};
-    std::string texture;  // path or archive member of the diffuse texture; empty: none
+    std::string texture;          // path or archive member of the diffuse texture; empty: none
+    bool clamps_texture = false;  // shows its edge outside of 0..1, instead of repeating
+    // What a file wants done to texture coordinates: scale * uv + shift. Its loader has done it.
+    glm::vec2 texture_scale{1.0f}, texture_shift{0.0f};
 };
 
 struct Light {

@@ -101,6 +101,28 @@ TEST(ObjFile, MaterialsFollowTheirFaces) {
     EXPECT_NE(model.warnings[0].find("'gone'"), std::string::npos);
 }
 
+// Vertices that two materials share become two where their texture coordinates differ.
+TEST(ObjFile, TexturesAreScaledAndShiftedByTheirMaterials) {
+    const TemporaryFolder folder;
+    folder.write("a.mtl",
+                 "newmtl scaled\nmap_Kd -s 4 2 1 -o 0.5 a.png\nnewmtl plain\nmap_Kd a.png\n");
+    const Model model = load_mesh(folder.write(
+        "a.obj",
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+        "vt 0 1\nusemtl scaled\nf 1/1 2/2 3/3\nusemtl plain\nf 1/1 3/3 4/4\nf 1 2 3\n"));
+    const Mesh& mesh = model.mesh;
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    const auto uv = [&](size_t triangle, int corner) {
+        return mesh.texcoords[mesh.triangles[triangle][corner]];
+    };
+    EXPECT_EQ(uv(0, 0), glm::vec2(0.5f, 0));
+    EXPECT_EQ(uv(0, 1), glm::vec2(4.5f, 0));
+    EXPECT_EQ(uv(0, 2), glm::vec2(4.5f, 2));
+    EXPECT_EQ(uv(1, 0), glm::vec2(0, 0));
+    EXPECT_EQ(uv(1, 1), glm::vec2(1, 1));
+    EXPECT_EQ(mesh.positions[mesh.triangles[0].x], mesh.positions[mesh.triangles[1].x]);
+}
+
 TEST(ObjFile, WhatIsNoNumberIsAnErrorWithItsLine) {
     const TemporaryFolder folder;
     EXPECT_NE(error_of_mesh(folder.write("a.obj", "v 0 0 0\nv 1 x 0\n")).find("line 2"),
