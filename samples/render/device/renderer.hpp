@@ -3,7 +3,7 @@
 #pragma once
 
 #include "device/device_scene.hpp"
-#include "files/image_file.hpp"
+#include "files/image_output.hpp"
 
 namespace render {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "files/image_file.hpp"
+#include "files/image_input.hpp"
 
 namespace render {
 

@@ -1,18 +1,11 @@
-// image_file.hpp - images on disk through OpenImageIO: textures and environments in, frames
-// out. Knows no scene.
+// image_output.hpp - frames to images on disk, through OpenImageIO. Reads none.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "model/model.hpp"
-
 namespace render {
-
-// Reads any image that OpenImageIO can, also inside an archive (see asset.hpp). Images of 8
-// bits per channel stay sRGB bytes, all others become linear floats. Throws std::runtime_error.
-Image load_image(const std::string& path);
 
 // Linear light, four floats per pixel, rows from top to bottom.
 struct Frame {
