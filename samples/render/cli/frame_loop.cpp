@@ -90,7 +90,7 @@ void write_reports(const RunReport& report, const Options& options) {
 int run(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const SceneDescription scene = read_scenes(options.scenes);
-    World world(scene);
+    World world(scene, options.max_texture_pixels);
     for (const std::string& warning : world.warnings())
         fmt::print(stderr, "warning: {}\n", warning);
     const double load_ms = milliseconds_since(start);

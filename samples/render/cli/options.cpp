@@ -34,6 +34,17 @@ CLI::callback_t size_option(std::optional<glm::uvec2>& size) {
     };
 }
 
+// "64M"; without the second check "-1" would be the largest number there is.
+void add_size(CLI::App& app, const char* name, uint64_t& value, const char* text) {
+    const auto not_negative = [](std::string& word) {
+        return word.find('-') == std::string::npos ? ""
+                                                   : "found " + word + ", allowed: 0 or more";
+    };
+    app.add_option(name, value, text)
+        ->transform(CLI::AsSizeValue(false))
+        ->transform(CLI::Validator(not_negative, ""));
+}
+
 void add_picture_options(CLI::App& app, Options& o) {
     app.add_option("--out", o.out, "Picture: .png (sRGB) or .exr (linear); may hold %04d");
     auto* frames = app.add_option("--frames", o.frames, "Frames over the scene's time span");
@@ -56,9 +67,10 @@ void add_tracing_options(CLI::App& app, Options& o) {
     app.add_option("--engine", named(rsh_engine_from_name, o.engine), "Way to traverse");
     app.add_option("--bound", named(rsh_shape_from_name, o.bound), "Shape of the nodes");
     app.add_option("--strategy", named(rsh_strategy_from_name, o.strategy), "Way to reduce");
-    app.add_option("--budget", o.budget, "Bytes for the pair streams, e.g. 64M")
-        ->transform(CLI::AsSizeValue(false));
+    add_size(app, "--budget", o.budget, "Bytes for the pair streams, e.g. 64M");
     app.add_option("--device", o.device, "Part of a device's or platform's name");
+    add_size(app, "--max-texture-pixels", o.max_texture_pixels,
+             "Refuse textures of more pixels, e.g. 128M");
     app.add_flag("--list-devices", o.lists_devices, "List the OpenCL devices and exit");
 }
 

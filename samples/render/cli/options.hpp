@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files/image_input.hpp"
+
 namespace render {
 
 // What is not given stays empty: the scene's settings or a default take its place.
@@ -26,6 +28,7 @@ struct Options {
     uint32_t bound = RSH_SHAPE_DEFAULT;
     uint32_t strategy = RSH_STRATEGY_DEFAULT;
     uint64_t budget = 0;
+    uint64_t max_texture_pixels = kMaxTexturePixels;
     rsh_features without = 0;
     int checked_frames = 0;
     uint32_t check_ray_step = 1;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -73,20 +74,43 @@ std::vector<T> read_rgba(OIIO::ImageInput& input, OIIO::TypeDesc type, T opaque,
     return rgba;
 }
 
+void require_size(const OIIO::ImageSpec& spec, size_t max_pixels, const std::string& path) {
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
+        throw std::runtime_error(fmt::format(
+            "{}: found {} x {} x {} pixels with {} channels, allowed: a flat picture "
+            "with at least one of each",
+            path, spec.width, spec.height, spec.depth, spec.nchannels));
+    if (spec.image_pixels() > max_pixels)
+        throw std::runtime_error(
+            fmt::format("{}: found {} x {} pixels, allowed: {} in all, which "
+                        "--max-texture-pixels raises",
+                        path, spec.width, spec.height, max_pixels));
+}
+
+// Some readers of OpenImageIO allocate as soon as they open a file.
+void limit_openers(size_t max_pixels) {
+    const size_t megabytes = (max_pixels >> 20) * 4 * sizeof(float) + 1;
+    OIIO::attribute("limits:imagesize_MB",
+                    static_cast<int>(std::min(megabytes, size_t{INT_MAX})));
+}
+
 }  // namespace
 
-Image load_image(const std::string& path) {
+Image load_image(const std::string& path, size_t max_pixels) {
     const Asset asset = read_asset(path);
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(asset.bytes.data()),
                                          asset.bytes.size());
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
+    limit_openers(max_pixels);
     // Not every format can be read from memory; a plain file need not be.
     const bool is_plain = std::filesystem::is_regular_file(path);
     const std::string name = is_plain ? path : "image." + inner_extension(asset.location);
     const auto input = OIIO::ImageInput::open(name, &wishes, is_plain ? nullptr : &memory);
     if (!input) throw std::runtime_error(fmt::format("{}: {}", path, OIIO::geterror()));
     const OIIO::ImageSpec& spec = input->spec();
+    require_size(spec, max_pixels, path);
+
     Image image;
     image.width = spec.width;
     image.height = spec.height;

@@ -12,7 +12,7 @@ namespace render {
 
 uint32_t TextureSet::add(const std::string& path) {
     if (const auto found = index_of_.find(path); found != index_of_.end()) return found->second;
-    const Image image = load_image(path);
+    const Image image = load_image(path, max_pixels_);
     const bool is_bytes = image.format == RSH_TEXEL_SRGB8;
     const size_t words = is_bytes ? image.bytes.size() / 4 : image.floats.size();
     const size_t first = texels_.size();

@@ -11,6 +11,9 @@ namespace render {
 
 class TextureSet {
 public:
+    // Images of more pixels are refused.
+    explicit TextureSet(size_t max_pixels) : max_pixels_(max_pixels) {}
+
     // Index of the image in the file; throws when it cannot be read.
     uint32_t add(const std::string& path);
 
@@ -18,6 +21,7 @@ public:
     const std::vector<uint32_t>& texels() const { return texels_; }
 
 private:
+    size_t max_pixels_;
     std::map<std::string, uint32_t> index_of_;
     std::vector<rsh_texture> textures_;
     std::vector<uint32_t> texels_;  // words of 4 bytes, whatever the format

@@ -28,7 +28,8 @@ void append_or_zero(std::vector<T>& all, const std::vector<T>& some, size_t befo
 
 }  // namespace
 
-World::World(const SceneDescription& scene) : scene_(scene) {
+World::World(const SceneDescription& scene, size_t max_texture_pixels)
+    : scene_(scene), textures_(max_texture_pixels) {
     for (const MeshEntry& entry : scene.meshes) parts_.emplace_back(entry);
     for (Part& part : parts_) {
         first_vertices_.push_back(mesh_.positions.size());

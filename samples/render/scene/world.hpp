@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "files/image_input.hpp"
 #include "scene/part.hpp"
 #include "scene/texture_set.hpp"
 
@@ -17,8 +18,9 @@ struct VertexRange {
 
 class World {
 public:
-    explicit World(
-        const SceneDescription& scene);  // reads all files; throws std::runtime_error
+    // Reads all files; throws std::runtime_error.
+    explicit World(const SceneDescription& scene,
+                   size_t max_texture_pixels = kMaxTexturePixels);
 
     // Moves everything to a moment; moved() then says which vertices that concerned.
     void move_to(double time);

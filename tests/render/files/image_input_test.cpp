@@ -136,6 +136,43 @@ TEST(ImageInput, AlphaDoesNotTouchTheColourOfWebp) {
                   0.03);
 }
 
+std::string error_of(const std::string& path, size_t max_pixels) {
+    try {
+        load_image(path, max_pixels);
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(ImageInput, RefusesMorePixelsThanAllowedByTheHeadAlone) {
+    const TemporaryFolder folder;
+    const auto head_of = [](uint32_t side) {
+        return png_chunk(
+            "IHDR", big_endian(side) + big_endian(side) + std::string("\x08\x02\0\0\0", 5));
+    };
+    const std::string start = "\x89PNG\r\n\x1a\n";
+    const std::string lie =
+        start + head_of(33000) + png_chunk("IDAT", "") + png_chunk("IEND", "");
+    const std::string png = folder.write("lie.png", lie);
+    const std::string hdr =
+        folder.write("lie.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 33000 +X 33000\n");
+    const std::string pnm = folder.write("lie.pgm", "P5\n33000 33000\n255\n");
+    for (const std::string& path : {png, hdr, pnm})
+        for (const char* part :
+             {path.c_str(), "33000 x 33000", "134217728", "--max-texture-pixels"})
+            EXPECT_NE(error_of(path, kMaxTexturePixels).find(part), std::string::npos)
+                << '"' << part << "\" is not in: " << error_of(path, kMaxTexturePixels);
+}
+
+TEST(ImageInput, ReadsAsManyPixelsAsAllowed) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("6.png", png_file({3, 2, 8, 2}, kRgb));
+    EXPECT_EQ(error_of(path, 6), "");
+    EXPECT_NE(error_of(path, 5).find("found 3 x 2 pixels, allowed: 5 in all"),
+              std::string::npos);
+}
+
 TEST(ImageInput, NamesAFileThatIsNoImage) {
     const TemporaryFolder folder;
     const std::string path = folder.path("nothing.png");
