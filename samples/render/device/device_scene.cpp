@@ -75,6 +75,10 @@ void DeviceScene::update(const World& world) {
             queue.enqueueWriteBuffer(normals_, CL_FALSE, offset, bytes,
                                      &mesh.normals[range.first]);
     }
+    if (world.has_turned_triangles())
+        queue.enqueueWriteBuffer(indices_, CL_FALSE, 0,
+                                 mesh.triangles.size() * sizeof(glm::uvec3),
+                                 mesh.triangles.data());
     if (world.moved().empty() || host_lights_.empty()) return;
     for (size_t i = 0; i < host_lights_.size(); ++i)
         host_lights_[i] = device_light(world.lights().at(i));

@@ -12,7 +12,8 @@ public:
     // `without` are features to leave out although the scene has them.
     DeviceScene(const Device& device, const World& world, rsh_features without);
 
-    // Uploads the vertices, normals and lights of World::moved(). Allocates nothing.
+    // Uploads the vertices, normals and lights of World::moved(), and triangles that turned round.
+    // Allocates nothing.
     void update(const World& world);
 
     const rsh_scene& scene() const { return scene_; }

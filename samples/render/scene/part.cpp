@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "files/asset.hpp"
 #include "files/json_value.hpp"
@@ -88,17 +89,26 @@ glm::vec3 point(const glm::mat4& matrix, glm::vec3 p) {
     return matrix * glm::vec4(p, 1.0f);
 }
 
-glm::vec3 unit_or_zero(glm::vec3 v) {
-    const float length = glm::length(v);
-    return length > 0.0f ? v / length : glm::vec3(0.0f);
+glm::vec3 unit_or_zero(glm::dvec3 v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? glm::vec3(v / length) : glm::vec3(0.0f);
+}
+
+// In double: the determinant of a small scale is no float.
+glm::dmat3 linear_part(const glm::mat4& matrix) {
+    return glm::dmat3(glm::mat3(matrix));
+}
+
+bool mirrors(const glm::mat4& matrix) {
+    return glm::determinant(linear_part(matrix)) < 0.0;
 }
 
 void place_mesh(const glm::mat4& matrix, const Mesh& rest, Mesh& placed) {
-    const glm::mat3 for_normals = glm::transpose(glm::inverse(glm::mat3(matrix)));
+    const glm::dmat3 for_normals = glm::transpose(glm::inverse(linear_part(matrix)));
     for (size_t i = 0; i < rest.positions.size(); ++i)
         placed.positions[i] = point(matrix, rest.positions[i]);
     for (size_t i = 0; i < rest.normals.size(); ++i)
-        placed.normals[i] = unit_or_zero(for_normals * rest.normals[i]);
+        placed.normals[i] = unit_or_zero(for_normals * glm::dvec3(rest.normals[i]));
 }
 
 void place_camera_and_lights(const glm::mat4& matrix, const Model& rest, Model& placed) {
@@ -124,6 +134,7 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
             rest_ = animation_->at(animation_->start());
         else
             rest_ = entry_.file.empty() ? make_room(entry_.room) : load_mesh(entry_.file);
+        if (animation_) animated_triangles_ = rest_.mesh.triangles;
         if (entry_.is_smooth) smooth();
         transform_ = static_transform(entry_, rest_.mesh);
     } catch (const std::exception& error) {
@@ -134,7 +145,27 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
     }
     change_materials(entry_, rest_.materials);
     placed_ = rest_;
+    place_triangles();
     place(0.0);
+}
+
+// The outside stays outside in a mirror: there, the corners run the other way round.
+void Part::place_triangles() {
+    placed_.mesh.triangles = rest_.mesh.triangles;
+    if (!mirrors(transform_)) return;  // keys only scale by positive numbers
+    for (glm::uvec3& triangle : placed_.mesh.triangles) std::swap(triangle.y, triangle.z);
+}
+
+void Part::turn_triangles(const std::vector<glm::uvec3>& now) {
+    has_turned_triangles_ = false;
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (now[i] == animated_triangles_[i]) continue;
+        std::swap(rest_.mesh.triangles[i].y, rest_.mesh.triangles[i].z);
+        has_turned_triangles_ = true;
+    }
+    if (!has_turned_triangles_) return;
+    animated_triangles_ = now;
+    place_triangles();
 }
 
 // Creases are those at the start: a moving mesh keeps its vertices.
@@ -175,6 +206,7 @@ const Model& Part::at(double time) {
     if (!moves()) return placed_;
     if (animation_) {
         Model now = animation_->at(animation_time(time));
+        turn_triangles(now.mesh.triangles);
         for (size_t i = 0; i < uncut_.size(); ++i)
             rest_.mesh.positions[i] = now.mesh.positions[uncut_[i]];
         if (uncut_.empty()) rest_.mesh.positions = std::move(now.mesh.positions);

@@ -20,19 +20,26 @@ public:
 
     // The whole model in world coordinates at `time` [s].
     const Model& at(double time);
+    // Whether some triangles of that model are wound otherwise than in the one before it: an
+    // animation has begun, or ceased, to mirror them.
+    bool has_turned_triangles() const { return has_turned_triangles_; }
     const MeshEntry& entry() const { return entry_; }
 
 private:
     double animation_time(double time) const;
     void smooth();
     void place(double time);
+    void place_triangles();
+    void turn_triangles(const std::vector<glm::uvec3>& now);
 
     MeshEntry entry_;
     std::unique_ptr<Animation> animation_;
     glm::mat4 transform_;
     Model rest_;  // before placing
     std::vector<uint32_t>
-        uncut_;     // vertex of the file's mesh for each of `rest_`, if that is cut
+        uncut_;  // vertex of the file's mesh for each of `rest_`, if that is cut
+    std::vector<glm::uvec3> animated_triangles_;  // as the animation wound them last
+    bool has_turned_triangles_ = false;
     Model placed_;  // kept, so that a moving part reuses its memory
 };
 

@@ -33,6 +33,7 @@ World::World(const SceneDescription& scene, size_t max_texture_pixels)
     for (const MeshEntry& entry : scene.meshes) parts_.emplace_back(entry);
     for (Part& part : parts_) {
         first_vertices_.push_back(mesh_.positions.size());
+        first_triangles_.push_back(mesh_.triangles.size());
         models_.push_back(&part.at(0.0));
         append(*models_.back(), part.entry());
     }
@@ -80,18 +81,26 @@ void World::append_materials(const Model& model, const MeshEntry& entry) {
     }
 }
 
-void World::overwrite(size_t first_vertex, const Mesh& mesh) {
-    std::copy(mesh.positions.begin(), mesh.positions.end(), &mesh_.positions[first_vertex]);
+void World::overwrite(size_t part) {
+    const Mesh& mesh = models_[part]->mesh;
+    const size_t first = first_vertices_[part];
+    std::copy(mesh.positions.begin(), mesh.positions.end(), &mesh_.positions[first]);
     if (!mesh.normals.empty())
-        std::copy(mesh.normals.begin(), mesh.normals.end(), &mesh_.normals[first_vertex]);
+        std::copy(mesh.normals.begin(), mesh.normals.end(), &mesh_.normals[first]);
+    if (!parts_[part].has_turned_triangles()) return;
+    has_turned_triangles_ = true;
+    for (size_t i = 0; i < mesh.triangles.size(); ++i)
+        mesh_.triangles[first_triangles_[part] + i] =
+            mesh.triangles[i] + glm::uvec3(static_cast<uint32_t>(first));
 }
 
 void World::move_to(double time) {
     moved_.clear();
+    has_turned_triangles_ = false;
     for (size_t i = 0; i < parts_.size(); ++i) {
         if (!parts_[i].moves()) continue;
         models_[i] = &parts_[i].at(time);
-        overwrite(first_vertices_[i], models_[i]->mesh);
+        overwrite(i);
         moved_.push_back({first_vertices_[i], models_[i]->mesh.positions.size()});
     }
     choose_lights_and_camera();

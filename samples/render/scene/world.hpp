@@ -25,6 +25,8 @@ public:
     // Moves everything to a moment; moved() then says which vertices that concerned.
     void move_to(double time);
     const std::vector<VertexRange>& moved() const { return moved_; }
+    // Whether mesh().triangles changed with it; their number and order never do.
+    bool has_turned_triangles() const { return has_turned_triangles_; }
 
     const Mesh& mesh() const { return mesh_; }  // normals: none at all, or one per vertex
     const std::vector<rsh_material>& materials() const { return materials_; }
@@ -42,14 +44,14 @@ public:
 private:
     void append(const Model& model, const MeshEntry& entry);
     void append_materials(const Model& model, const MeshEntry& entry);
-    void overwrite(size_t first_vertex, const Mesh& mesh);
+    void overwrite(size_t part);
     void choose_environment(const SceneDescription& scene);
     void choose_lights_and_camera();
 
     SceneDescription scene_;
     std::vector<Part> parts_;
     std::vector<const Model*> models_;  // of the parts, as they are now
-    std::vector<size_t> first_vertices_;
+    std::vector<size_t> first_vertices_, first_triangles_;
     Mesh mesh_;
     std::vector<rsh_material> materials_;
     std::vector<Light> lights_;
@@ -59,6 +61,7 @@ private:
     glm::vec3 environment_{0.0f};
     uint32_t environment_texture_ = 0;
     std::vector<VertexRange> moved_;
+    bool has_turned_triangles_ = false;
     std::vector<std::string> warnings_;
 };
 

@@ -2,6 +2,7 @@
 #include "import/bart/aff_animation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "import/bart/aff_scene.hpp"
 
@@ -22,6 +23,10 @@ glm::vec3 transform_normal(const glm::dmat4& matrix, glm::dvec3 normal) {
 
 glm::vec3 transform_point(const glm::dmat4& matrix, glm::dvec3 point) {
     return glm::dvec3(matrix * glm::dvec4(point, 1.0));
+}
+
+bool mirrors(const glm::dmat4& matrix) {
+    return glm::determinant(glm::dmat3(matrix)) < 0.0;
 }
 
 struct MorphCorners {
@@ -62,6 +67,7 @@ private:
     Pose pose(double time) const;
     const Track* track(const std::string& name) const;
     void place(uint32_t vertex, const Pose& pose, Mesh& mesh) const;
+    void wind_triangles(const Pose& pose, Mesh& mesh) const;
     void place_lights(double time, const Pose& pose, Model& model) const;
     void place_camera(double time, Model& model) const;
 
@@ -80,6 +86,7 @@ AffAnimation::AffAnimation(AffScene scene) : scene_(std::move(scene)) {
     for (size_t i = 1; i < moves.size(); ++i)
         moves[i] = moves[scene_.nodes[i].parent] || track(scene_.nodes[i].track);
     const Pose at_start = pose(scene_.start);
+    wind_triangles(at_start, rest_.mesh);
     for (uint32_t v = 0; v < scene_.vertex_nodes.size(); ++v) {
         place(v, at_start, rest_.mesh);
         if (moves[scene_.vertex_nodes[v]]) moving_.push_back(v);
@@ -113,6 +120,17 @@ void AffAnimation::place(uint32_t vertex, const Pose& pose, Mesh& mesh) const {
     mesh.normals[vertex] = transform_normal(matrix, scene_.mesh.normals[vertex]);
 }
 
+// The outside stays outside in a mirror: there, the corners run the other way round.
+void AffAnimation::wind_triangles(const Pose& pose, Mesh& mesh) const {
+    std::vector<bool> turns;
+    for (const glm::dmat4& matrix : pose.matrices) turns.push_back(mirrors(matrix));
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+        mesh.triangles[i] = scene_.mesh.triangles[i];
+        if (turns[scene_.vertex_nodes[mesh.triangles[i].x]])
+            std::swap(mesh.triangles[i].y, mesh.triangles[i].z);
+    }
+}
+
 void AffAnimation::place_lights(double time, const Pose& pose, Model& model) const {
     for (const AffLight& light : scene_.lights) {
         glm::dmat4 matrix = pose.matrices[light.node];
@@ -138,6 +156,7 @@ void AffAnimation::place_camera(double time, Model& model) const {
 Model AffAnimation::at(double time) const {
     Model model = rest_;
     const Pose now = pose(time);
+    wind_triangles(now, model.mesh);
     for (const uint32_t vertex : moving_) place(vertex, now, model.mesh);
     for (const AffMorph& morph : scene_.morphs) {
         const size_t node = scene_.vertex_nodes[morph.first_vertex];
