@@ -9,19 +9,26 @@
 namespace render {
 namespace {
 
-RigidKey between(const RigidKey& a, const RigidKey& b, double time) {
-    const float u = static_cast<float>((time - a.time) / (b.time - a.time));
-    RigidKey key;
-    key.time = time;
-    key.translate = glm::mix(a.translate, b.translate, u);
-    key.rotate = glm::slerp(a.rotate, b.rotate, u);
-    key.scale = glm::mix(a.scale, b.scale, u);
-    return key;
+struct Moment {
+    glm::vec3 translate;
+    glm::dquat rotate;
+    float scale;
+};
+
+Moment moment_of(const RigidKey& key) {
+    return {key.translate, quaternion(key.rotate), key.scale};
 }
 
-RigidKey key_at(const std::vector<RigidKey>& keys, double time) {
-    if (time <= keys.front().time) return keys.front();
-    if (time >= keys.back().time) return keys.back();
+Moment between(const RigidKey& a, const RigidKey& b, double time) {
+    const double u = (time - a.time) / (b.time - a.time);
+    return {glm::mix(a.translate, b.translate, static_cast<float>(u)),
+            rotation_between(a.rotate, b.rotate, u),
+            glm::mix(a.scale, b.scale, static_cast<float>(u))};
+}
+
+Moment moment_at(const std::vector<RigidKey>& keys, double time) {
+    if (time <= keys.front().time) return moment_of(keys.front());
+    if (time >= keys.back().time) return moment_of(keys.back());
     const auto after =
         std::upper_bound(keys.begin(), keys.end(), time,
                          [](double t, const RigidKey& key) { return t < key.time; });
@@ -30,11 +37,12 @@ RigidKey key_at(const std::vector<RigidKey>& keys, double time) {
 
 }  // namespace
 
-glm::mat4 motion_at(const std::vector<RigidKey>& keys, double time) {
+glm::mat4 motion_at(const std::vector<RigidKey>& keys, double time, glm::vec3 pivot) {
     if (keys.empty()) return glm::mat4(1.0f);
-    const RigidKey key = key_at(keys, time);
-    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), key.translate);
-    return glm::scale(moved * glm::mat4_cast(key.rotate), glm::vec3(key.scale));
+    const Moment now = moment_at(keys, time);
+    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), pivot + now.translate);
+    const glm::mat4 turned = moved * glm::mat4(glm::mat4_cast(now.rotate));
+    return glm::translate(glm::scale(turned, glm::vec3(now.scale)), -pivot);
 }
 
 glm::mat4 standing_at(glm::vec3 low, glm::vec3 high, glm::vec3 at, float height) {

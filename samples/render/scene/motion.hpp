@@ -1,25 +1,27 @@
-// motion.hpp - where a mesh stands: static transforms, and rigid key frames between which
-// translation and scale are interpolated linearly and rotation by slerp (Shoemake 1985).
+// motion.hpp - where a mesh stands: on its place, and rigid key frames between which translation and
+// scale are interpolated linearly, and rotation as rotation.hpp says.
 #pragma once
 
 #include <glm/glm.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <vector>
 
+#include "scene/rotation.hpp"
+
 namespace render {
 
-// p' = rotate(scale * p) + translate at `time` [s].
+// p' = pivot + rotate(scale * (p - pivot)) + translate at `time` [s].
 struct RigidKey {
     double time = 0.0;
     glm::vec3 translate{0.0f};
-    glm::quat rotate{1.0f, 0.0f, 0.0f, 0.0f};
+    Rotation rotate;
     float scale = 1.0f;
 };
 
 // The keys' times ascend; before the first and after the last the motion stands still. Without
 // keys: the identity.
-glm::mat4 motion_at(const std::vector<RigidKey>& keys, double time);
+glm::mat4 motion_at(const std::vector<RigidKey>& keys, double time,
+                    glm::vec3 pivot = glm::vec3(0.0f));
 
 // Stands a thing with the bounding box [low, high] upright: the middle of the box's bottom
 // comes to `at`, and the box gets the height `height`. Throws when the box is flat in y.

@@ -9,17 +9,16 @@ namespace {
 constexpr double kLargest = 1e30;
 
 // {"axis": [x, y, z], "degrees": d} or a quaternion [w, x, y, z] of any length but zero.
-glm::quat rotation(const JsonValue& value) {
+Rotation rotation(const JsonValue& value) {
     if (!value.is_object()) {
         const auto n = value.numbers(4);
-        const glm::quat q(n[0], n[1], n[2], n[3]);
-        if (!(glm::length(q) > 0.0f)) value.fail("a quaternion [w, x, y, z] that is not 0");
-        return glm::normalize(q);
+        const glm::dquat q(n[0], n[1], n[2], n[3]);
+        if (!(glm::length(q) > 0.0)) value.fail("a quaternion [w, x, y, z] that is not 0");
+        return rotation_of(q);
     }
     value.allow_keys({"axis", "degrees"});
-    const glm::vec3 axis = glm::normalize(value.member("axis").direction());
-    const float degrees = static_cast<float>(value.member("degrees").number());
-    return glm::angleAxis(glm::radians(degrees), axis);
+    return {glm::normalize(glm::dvec3(value.member("axis").direction())),
+            value.member("degrees").number()};
 }
 
 glm::vec3 scaling(const JsonValue& value) {
@@ -51,7 +50,8 @@ glm::mat4 step(const JsonValue& value) {
         value.fail("one of translate, rotate, scale, matrix per step");
     const glm::mat4 identity(1.0f);
     if (auto v = value.find("translate")) return glm::translate(identity, v->vec3());
-    if (auto v = value.find("rotate")) return glm::mat4_cast(rotation(*v));
+    if (auto v = value.find("rotate"))
+        return glm::mat4(glm::mat4_cast(quaternion(rotation(*v))));
     if (auto v = value.find("scale")) return glm::scale(identity, scaling(*v));
     return matrix(value.member("matrix"));
 }

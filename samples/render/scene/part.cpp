@@ -197,7 +197,8 @@ double Part::animation_time(double time) const {
 }
 
 void Part::place(double time) {
-    const glm::mat4 matrix = motion_at(entry_.keys, time) * transform_;
+    const glm::vec3 pivot = entry_.stand ? entry_.stand->at : glm::vec3(0.0f);
+    const glm::mat4 matrix = motion_at(entry_.keys, time, pivot) * transform_;
     place_mesh(matrix, rest_.mesh, placed_.mesh);
     place_camera_and_lights(matrix, rest_, placed_);
 }

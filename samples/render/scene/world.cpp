@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "model/inspect.hpp"
+#include "model/view_fit.hpp"
 #include "scene/device_structs.hpp"
-#include "scene/view_fit.hpp"
 
 namespace render {
 namespace {

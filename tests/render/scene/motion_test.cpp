@@ -20,9 +20,9 @@ void expect_near(glm::vec3 a, glm::vec3 b) {
 
 // From rest at time 1 to a quarter turn about y, moved by 4 in x and twice as large, at time 3.
 std::vector<RigidKey> quarter_turn() {
-    const float half = std::sqrt(0.5f);
-    return {{1.0, glm::vec3(0), glm::quat(1, 0, 0, 0), 1.0f},
-            {3.0, glm::vec3(4, 0, 0), glm::quat(half, 0, half, 0), 2.0f}};
+    const double half = std::sqrt(0.5);
+    return {{1.0, glm::vec3(0), render::rotation_of({1, 0, 0, 0}), 1.0f},
+            {3.0, glm::vec3(4, 0, 0), render::rotation_of({half, 0, half, 0}), 2.0f}};
 }
 
 TEST(Motion, IsTheIdentityWithoutKeys) {
@@ -40,6 +40,16 @@ TEST(Motion, TurnsAtConstantSpeedBetweenKeys) {
     const float scale = 4.0f / 3.0f;
     expect_near(moved(quarter_turn(), time, {1, 0, 0}),
                 {scale * std::cos(0.5235988f) + scale, 0, -scale * 0.5f});
+}
+
+TEST(Motion, TurnsAndScalesAboutItsPivot) {
+    const auto moved_about = [](double time, glm::vec3 p) {
+        return glm::vec3(render::motion_at(quarter_turn(), time, {10, 1, 5}) *
+                         glm::vec4(p, 1.0f));
+    };
+    expect_near(moved_about(1.0, {11, 1, 5}), {11, 1, 5});
+    expect_near(moved_about(3.0, {10, 1, 5}), {14, 1, 5});  // the pivot only moves
+    expect_near(moved_about(3.0, {11, 1, 5}), {14, 1, 3});
 }
 
 TEST(Motion, StandsABoxOnItsPlace) {

@@ -1,5 +1,5 @@
 // view_fit.cpp - default camera from the bounding box, default light from the camera.
-#include "scene/view_fit.hpp"
+#include "model/view_fit.hpp"
 
 #include <cmath>
 
