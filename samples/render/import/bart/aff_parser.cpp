@@ -7,6 +7,7 @@
 #include <set>
 
 #include "files/text_scan.hpp"
+#include "import/bart/aff_keys.hpp"
 #include "import/bart/aff_scene.hpp"
 #include "import/bart/aff_shapes.hpp"
 #include "import/bart/aff_tokens.hpp"
@@ -143,8 +144,8 @@ private:
         scene_.mesh.material_ids.push_back(static_cast<uint32_t>(scene_.materials.size()) - 1);
     }
 
-    void polygon() { read_polygon(tokens_.count("corners"), false, false); }
-    void patch() { read_polygon(tokens_.count("corners"), true, false); }
+    void polygon() { read_polygon(tokens_.count("corners", 3), false, false); }
+    void patch() { read_polygon(tokens_.count("corners", 6), true, false); }
     void textured_triangle() { ignore_texture(), read_polygon(3, false, true); }
     void textured_patch() { ignore_texture(), read_polygon(3, true, true); }
     void ignore_texture() { textures_.insert(tokens_.word("the name of a texture")); }
@@ -163,16 +164,7 @@ private:
     }
 
     void moving_triangle() {
-        AffMorph morph;
-        const size_t keys = tokens_.count("keys");
-        if (keys == 0) tokens_.fail("an animated triangle needs a key, but has 0");
-        for (size_t i = 0; i < keys; ++i) {
-            morph.times.push_back(tokens_.number("time"));
-            if (i > 0 && !(morph.times[i] > morph.times[i - 1]))
-                tokens_.fail("the times of an animated triangle must increase");
-            std::array<glm::vec3, 6>& key = morph.keys.emplace_back();
-            for (glm::vec3& v : key) v = tokens_.vector("corner or normal");
-        }
+        AffMorph morph = keys_.morph();
         const auto& key = morph.keys[0];
         morph.first_vertex = add_vertex(key[0], key[1]);
         add_vertex(key[2], key[3]);
@@ -202,7 +194,7 @@ private:
 
     std::vector<glm::vec3> vectors(const char* what) {
         std::vector<glm::vec3> result;
-        for (size_t i = 0, n = tokens_.count(what); i < n; ++i)
+        for (size_t i = 0, n = tokens_.count(what, 3); i < n; ++i)
             result.push_back(tokens_.vector(what));
         return result;
     }
@@ -216,7 +208,7 @@ private:
         while (tokens_.peek() == "texturecoords") skip_texcoords(), has_texcoords = true;
         tokens_.expect("triangles");
         std::map<std::pair<size_t, size_t>, uint32_t> known;  // by vertex and normal
-        for (size_t i = 0, n = tokens_.count("triangles"); i < n; ++i) {
+        for (size_t i = 0, n = tokens_.count("triangles", 3); i < n; ++i) {
             size_t vertex[3], normal[3] = {0, 0, 0};
             for (size_t& v : vertex) v = index("vertex", vertices.size());
             if (!normals.empty())
@@ -246,7 +238,7 @@ private:
 
     void skip_texcoords() {
         tokens_.expect("texturecoords");
-        const size_t n = tokens_.count("texture coordinates");
+        const size_t n = tokens_.count("texture coordinates", 2);
         ignore_texture();
         for (size_t i = 0; i < 2 * n; ++i) tokens_.number("texture coordinate");
     }
@@ -285,48 +277,21 @@ private:
     }
 
     void keys() {
-        Track& track = scene_.tracks[tokens_.word("the name of keys")];
+        const std::string name = tokens_.word("the name of keys");
+        Track& track = scene_.tracks[name];
         tokens_.expect("{");
         for (std::string kind = tokens_.word("}"); kind != "}"; kind = tokens_.word("}")) {
             if (kind == "transl")
-                track.translation = curve(false);
+                track.translation = keys_.curve(kind, name);
             else if (kind == "scale")
-                track.scale = curve(false);
+                track.scale = keys_.curve(kind, name);
             else if (kind == "rot")
-                track.rotation = curve(true);
+                track.rotation = keys_.curve(kind, name);
             else if (kind == "visibility")
-                track.visibility = visibility();
+                track.visibility = keys_.visibility(name);
             else
                 tokens_.fail("unknown keys '" + kind + "'");
         }
-    }
-
-    std::vector<CurveKey> curve(bool is_rotation) {
-        std::vector<CurveKey> result(tokens_.count("keys"));
-        if (result.size() < kMinCurveKeys)
-            tokens_.fail("a curve needs at least 4 keys, but has " +
-                         std::to_string(result.size()));
-        for (size_t i = 0; i < result.size(); ++i) {
-            CurveKey& key = result[i];
-            key.time = tokens_.number("time");
-            key.value = tokens_.vector("value");
-            if (is_rotation) key.degrees = tokens_.number("angle");
-            key.tension = tokens_.number("tension");
-            key.continuity = tokens_.number("continuity");
-            key.bias = tokens_.number("bias");
-            if (i > 0 && !(key.time >= result[i - 1].time))
-                tokens_.fail("the times of keys must not decrease");
-        }
-        return result;
-    }
-
-    std::vector<VisibilityKey> visibility() {
-        std::vector<VisibilityKey> result(tokens_.count("keys"));
-        for (VisibilityKey& key : result) {
-            key.time = tokens_.number("time");
-            key.is_visible = tokens_.number("visibility") != 0.0;
-        }
-        return result;
     }
 
     void timing() {
@@ -348,6 +313,7 @@ private:
 
     AffTokens tokens_;
     AffScene scene_;
+    AffKeys keys_{tokens_, scene_.warnings};
     size_t node_ = 0;
     std::vector<size_t> open_;  // the nodes around the present one
     std::set<std::string> textures_;

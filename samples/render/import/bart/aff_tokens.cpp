@@ -22,7 +22,7 @@ bool is_blank(char c) {
 
 AffTokens::AffTokens(const std::string& path) {
     Asset asset = read_asset(path);
-    files_.push_back({std::move(asset.location), std::move(asset.bytes), 0});
+    files_.push_back({std::move(asset.location), std::move(asset.bytes)});
 }
 
 void AffTokens::include(const std::string& name) {
@@ -31,7 +31,7 @@ void AffTokens::include(const std::string& name) {
              " deep; does a file include "
              "itself?");
     Asset asset = read_asset(sibling_path(files_.back().location, name));
-    files_.push_back({std::move(asset.location), std::move(asset.bytes), 0});
+    files_.push_back({std::move(asset.location), std::move(asset.bytes)});
 }
 
 bool AffTokens::find_word() {
@@ -84,14 +84,15 @@ double AffTokens::number(const char* what) {
     return *value;
 }
 
-size_t AffTokens::count(const char* what) {
+size_t AffTokens::count(const char* what, size_t numbers) {
     const double value = number(what);
-    // Whatever is counted takes at least two characters.
-    const double room = static_cast<double>(files_.back().text.size());
-    if (!(value >= 0.0 && value <= room && value == std::floor(value)))
+    size_t rest = 1;  // the last number needs no blank behind it
+    for (const File& file : files_) rest += file.text.size() - file.at;
+    const size_t most = rest / (2 * numbers);
+    if (!(value >= 0.0 && value <= static_cast<double>(most) && value == std::floor(value)))
         fail(std::string("the number of ") + what + " is " + std::to_string(value) +
-             ", but must be whole and from 0 to " + std::to_string(files_.back().text.size()) +
-             ", the bytes of the file");
+             ", but must be whole and from 0 to " + std::to_string(most) +
+             ", as many as the rest of the file can hold");
     return static_cast<size_t>(value);
 }
 
@@ -106,14 +107,18 @@ void AffTokens::expect(const char* expected) {
         fail(std::string("needs '") + expected + "', but has '" + found + "'");
 }
 
-std::string AffTokens::line_of(const File& file) const {
-    const auto end = file.text.begin() + static_cast<std::ptrdiff_t>(file.at);
-    return std::to_string(1 + std::count(file.text.begin(), end, '\n'));
+std::string AffTokens::where() {
+    File& file = files_.back();
+    const auto begin = file.text.begin();
+    const auto from = begin + static_cast<std::ptrdiff_t>(file.lines_until);
+    const auto to = begin + static_cast<std::ptrdiff_t>(file.at);
+    if (from < to) file.line += static_cast<size_t>(std::count(from, to, '\n'));
+    file.lines_until = std::max(file.lines_until, file.at);
+    return file.location + ", line " + std::to_string(file.line);
 }
 
-void AffTokens::fail(const std::string& what) const {
-    const File& file = files_.back();
-    throw LoadError(file.location + ", line " + line_of(file) + ": " + what);
+void AffTokens::fail(const std::string& what) {
+    throw LoadError(where() + ": " + what);
 }
 
 }  // namespace render

@@ -22,21 +22,23 @@ public:
     std::string peek();
     std::string word(const char* what);  // next(), which must not be at the end
     double number(const char* what);
-    size_t count(const char* what);
+    // Of things with `numbers` numbers each, which must fit into what is left of the files.
+    size_t count(const char* what, size_t numbers);
     glm::dvec3 vector(const char* what);
     void expect(const char* word);
-    [[noreturn]] void fail(const std::string& what) const;
+    std::string where();  // "a.aff, line 3"
+    [[noreturn]] void fail(const std::string& what);
 
 private:
     struct File {
         std::string location;
         std::string text;
         size_t at = 0;
+        size_t line = 1, lines_until = 0;  // counted as far as there
     };
 
     // Moves to the next word, out of files that have ended; false at the end of all.
     bool find_word();
-    std::string line_of(const File& file) const;
 
     std::vector<File> files_;
 };

@@ -196,7 +196,8 @@ TEST(AffAnimation, IncludesDependOnTheLevelOfDetail) {
 TEST(AffAnimation, ErrorsNameTheLine) {
     EXPECT_NE(error_of("b 1 1 1\nq 3\n").find("line 2: unknown command 'q'"),
               std::string::npos);
-    EXPECT_NE(error_of("p 3 0 0 0 1 0 0 0 1").find("ends where it needs"), std::string::npos);
+    EXPECT_NE(error_of("p 3 0 0 0 1.5 0 0 0 1.25").find("ends where it needs"),
+              std::string::npos);
     EXPECT_NE(error_of("p 99999999 0 0 0").find("number of corners"), std::string::npos);
     EXPECT_NE(error_of("k a { transl 2 0 0 0 0 0 0 0 1 0 0 0 0 0 0 }").find("at least 4 keys"),
               std::string::npos);
