@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
+#include "cli/write_output.hpp"
 #include "device/renderer.hpp"
 #include "scene/scene_file.hpp"
 
@@ -31,7 +34,7 @@ RenderSettings render_settings(const Options& options, const SceneSettings& scen
     s.strategy = options.strategy;
     s.budget = options.budget;
     s.without = options.without;
-    s.counts = options.prints_statistics || !options.json.empty();
+    s.counts = options.prints_statistics || options.json.has_value();
     return s;
 }
 
@@ -72,6 +75,16 @@ void warm_up(Renderer& renderer, double time, RunReport& report) {
     renderer.render(time, nullptr, nullptr);
 }
 
+// A frame that the progress bar has cancelled was cancelled by a signal.
+FrameMeasure render_or_stop(Renderer& renderer, double time, ProgressBar& progress) try {
+    const FrameMeasure measure = renderer.render(time, &ProgressBar::begin_wave, &progress);
+    stop_if_interrupted();
+    return measure;
+} catch (const std::runtime_error&) {
+    stop_if_interrupted();
+    throw;
+}
+
 // Whether the last frame's hits are those of brute force.
 bool check(Renderer& renderer, uint32_t ray_step) {
     const rsh_audit_report report = renderer.audit(ray_step);
@@ -82,35 +95,40 @@ bool check(Renderer& renderer, uint32_t ray_step) {
 
 void write_reports(const RunReport& report, const Options& options) {
     if (options.prints_statistics) fmt::print("{}", table(report));
-    if (!options.json.empty()) write_json(as_json(report), options.json);
+    if (options.json) write_output(*options.json, json_text(as_json(report)));
 }
 
 }  // namespace
 
 int run(const Options& options) {
+    check_outputs(options);
     const auto start = std::chrono::steady_clock::now();
     const SceneDescription scene = read_scenes(options.scenes);
     World world(scene, options.max_texture_pixels);
     for (const std::string& warning : world.warnings())
         fmt::print(stderr, "warning: {}\n", warning);
     const double load_ms = milliseconds_since(start);
+    stop_if_interrupted();
 
     const Device device(options.device);
     const RenderSettings settings = render_settings(options, scene.settings);
     const std::vector<double> times = frame_times(options, scene.settings, world);
+    const int count = static_cast<int>(times.size());
+    check_pictures(options, count);
     Renderer renderer(device, world, settings);
     RunReport report = begin_report(device, world, settings);
     report.load_ms = load_ms;
     if (settings.counts) warm_up(renderer, times[0], report);
 
-    const int count = static_cast<int>(times.size());
     bool is_exact = true;
     ProgressBar progress(count);
     for (int i = 0; i < count; ++i) {
         progress.begin_frame(i);
-        report.frames.push_back(renderer.render(times[i], &ProgressBar::begin_wave, &progress));
-        if (!options.out.empty())
-            save_image(renderer.frame(), frame_path(options.out, i, count));
+        report.frames.push_back(render_or_stop(renderer, times[i], progress));
+        if (options.out) {
+            const std::string path = frame_path(*options.out, i, count);
+            write_output(path, encode_image(renderer.frame(), path));
+        }
         if (i < options.checked_frames)
             is_exact = check(renderer, options.check_ray_step) && is_exact;
     }

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/outputs.hpp"
 #include "cli/report.hpp"
+#include "cli/write_output.hpp"
 #include "model/inspect.hpp"
 #include "scene/part.hpp"
 #include "scene/scene_file.hpp"
@@ -54,6 +56,7 @@ void print_row(const Row& row) {
 }  // namespace
 
 void print_inspections(const Options& options) {
+    check_outputs(options);
     std::vector<Row> rows;
     for (const MeshEntry& entry : read_scenes(options.scenes).meshes)
         rows.push_back(inspect_entry(entry));
@@ -61,10 +64,10 @@ void print_inspections(const Options& options) {
                "vertices", "triangles", "components", "boundary", "non-manifold", "flipped",
                "degenerate", "closed", "outwards", "volume", "mesh");
     for (const Row& row : rows) print_row(row);
-    if (options.json.empty()) return;
+    if (!options.json) return;
     nlohmann::json meshes = nlohmann::json::array();
     for (const Row& row : rows) meshes.push_back(row_json(row));
-    write_json({{"meshes", meshes}}, options.json);
+    write_output(*options.json, json_text({{"meshes", meshes}}));
 }
 
 }  // namespace render

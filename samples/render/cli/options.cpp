@@ -87,6 +87,14 @@ void add_report_options(CLI::App& app, Options& o) {
         ->check(CLI::Range(1u, UINT32_MAX));
 }
 
+void require_purpose(const Options& o) {
+    if (o.out || o.json || o.prints_statistics || o.checked_frames > 0 || o.inspects) return;
+    throw CLI::ValidationError(
+        "nothing is asked for",
+        "add --out FILE for a picture, --stats or --json FILE for times, --check N to compare "
+        "with brute force, or --inspect");
+}
+
 }  // namespace
 
 glm::uvec2 parse_size(const std::string& text) {
@@ -102,7 +110,7 @@ glm::uvec2 parse_size(const std::string& text) {
 }
 
 std::string frame_path(const std::string& pattern, int index, int count) {
-    static const std::regex kNumber("%(0([0-9]))?d");
+    static const std::regex kNumber("%(0?([0-9]))?d");
     std::smatch match;
     if (std::regex_search(pattern, match, kNumber)) {
         const int digits = match[2].matched ? std::stoi(match[2]) : 1;
@@ -125,7 +133,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     add_report_options(app, options);
     try {
         app.parse(argc, argv);
-        if (!options.lists_devices && options.scenes.empty()) throw CLI::RequiredError("SCENE");
+        if (options.lists_devices) return {options, 0};
+        if (options.scenes.empty()) throw CLI::RequiredError("SCENE");
+        require_purpose(options);
     } catch (const CLI::ParseError& error) {
         return {std::nullopt, app.exit(error)};
     }

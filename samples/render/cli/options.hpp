@@ -16,8 +16,8 @@ namespace render {
 // What is not given stays empty: the scene's settings or a default take its place.
 struct Options {
     std::vector<std::string> scenes;
-    std::string out;
-    std::string json;
+    std::optional<std::string> out;
+    std::optional<std::string> json;
     std::string device;
     std::optional<int> frames;
     std::optional<double> time;

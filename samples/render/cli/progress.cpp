@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "cli/interrupt.hpp"
+
 namespace render {
 
 ProgressBar::ProgressBar(int frames)
@@ -22,7 +24,7 @@ void ProgressBar::begin_frame(int frame) {
 
 int ProgressBar::begin_wave(cl_uint wave, cl_uint, void* user) {
     static_cast<const ProgressBar*>(user)->draw(fmt::format("wave {}", wave));
-    return 0;
+    return pending_signal() != 0;
 }
 
 void ProgressBar::draw(const std::string& step) const {

@@ -14,7 +14,7 @@ public:
     ~ProgressBar();  // clears the line
 
     void begin_frame(int frame);
-    // An rsh_progress; `user` is the ProgressBar. Never cancels.
+    // An rsh_progress; `user` is the ProgressBar. Cancels when a signal asks to end.
     static int begin_wave(cl_uint wave, cl_uint wave_count, void* user);
 
 private:

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace render {
 namespace {
@@ -158,11 +156,9 @@ nlohmann::json as_json(const RunReport& report) {
             {"frames", frames}};
 }
 
-void write_json(const nlohmann::json& json, const std::string& path) {
-    std::ofstream file(path);
-    file << json.dump(2) << '\n';
-    if (!file.flush())
-        throw std::runtime_error(fmt::format("--json {}: cannot be written", path));
+std::string json_text(const nlohmann::json& json) {
+    // Names of files may hold bytes that are not UTF-8.
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace render

@@ -40,7 +40,6 @@ std::string table(const RunReport& report);
 
 nlohmann::json as_json(const RunReport& report);
 
-// Throws std::runtime_error.
-void write_json(const nlohmann::json& json, const std::string& path);
+std::string json_text(const nlohmann::json& json);
 
 }  // namespace render

@@ -1,17 +1,27 @@
-// image_output.cpp - writing of images.
+// image_output.cpp - frames into files in memory.
 #include "files/image_output.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
-#include "files/asset.hpp"
+#include "files/text_scan.hpp"
 
 namespace render {
 namespace {
+
+// Those that OpenImageIO writes to memory, so that writing to the disk stays ours.
+constexpr const char* kEndings[] = {".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff",
+                                    ".bmp", ".tga", ".hdr", ".ppm",  ".webp"};
+
+std::string ending_of(const std::string& path) {
+    return lower_case(std::filesystem::path(path).extension().string());
+}
 
 float srgb_from_linear(float linear) {
     const float x = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f;  // NaN becomes black
@@ -31,20 +41,34 @@ std::vector<uint8_t> srgb_bytes(const Frame& frame) {
 
 }  // namespace
 
-void save_image(const Frame& frame, const std::string& path) {
-    const auto output = OIIO::ImageOutput::create(path);
+void require_image_ending(const std::string& path) {
+    const std::string ending = ending_of(path);
+    for (const char* known : kEndings)
+        if (ending == known) return;
+    throw std::runtime_error(fmt::format("{}: found the ending \"{}\", allowed: {}", path,
+                                         ending, fmt::join(kEndings, ", ")));
+}
+
+std::string encode_image(const Frame& frame, const std::string& path) {
+    require_image_ending(path);
+    const std::string ending = ending_of(path);
+    const auto output = OIIO::ImageOutput::create("image" + ending);
     if (!output) throw std::runtime_error(fmt::format("{}: {}", path, OIIO::geterror()));
-    const bool is_linear = inner_extension(path) == "exr";
+    const bool is_linear = ending == ".exr" || ending == ".hdr";
     const OIIO::TypeDesc type = is_linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-    OIIO::ImageSpec spec(frame.width, frame.height, is_linear ? 4 : 3, type);
+    OIIO::ImageSpec spec(frame.width, frame.height, ending == ".exr" ? 4 : 3, type);
     spec.attribute("oiio:ColorSpace", is_linear ? "Linear" : "sRGB");
-    bool is_written = output->open(path, spec);
+    OIIO::Filesystem::IOVecOutput memory;
+    output->set_ioproxy(&memory);
+    bool is_written = output->open("image" + ending, spec);
     if (is_linear)
-        is_written = is_written && output->write_image(type, frame.pixels.data());
+        is_written =
+            is_written && output->write_image(type, frame.pixels.data(), 4 * sizeof(float));
     else
         is_written = is_written && output->write_image(type, srgb_bytes(frame).data());
     if (!(is_written && output->close()))
         throw std::runtime_error(fmt::format("{}: {}", path, output->geterror()));
+    return {memory.buffer().begin(), memory.buffer().end()};
 }
 
 }  // namespace render

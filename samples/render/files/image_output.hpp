@@ -1,4 +1,4 @@
-// image_output.hpp - frames to images on disk, through OpenImageIO. Reads none.
+// image_output.hpp - frames as the bytes of image files, through OpenImageIO. Writes none.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,11 @@ struct Frame {
     std::vector<float> pixels;
 };
 
-// The ending decides: .exr keeps linear floats r, g, b, a; .png and other 8-bit formats get
-// sRGB r, g, b. Throws std::runtime_error.
-void save_image(const Frame& frame, const std::string& path);
+// Throws std::runtime_error unless the ending of `path` is of a format that can be written.
+void require_image_ending(const std::string& path);
+
+// The ending of `path` decides: .exr keeps linear floats r, g, b, a, .hdr r, g, b; .png and the
+// others get 8 bits of sRGB r, g, b. Throws std::runtime_error, which begins with `path`.
+std::string encode_image(const Frame& frame, const std::string& path);
 
 }  // namespace render

@@ -24,7 +24,7 @@ TEST(ImageOutput, KeepsLinearFloatsInExr) {
     const std::string path = folder.path("a.exr");
     render::Frame frame = four_pixels();
     frame.pixels[9] = 0.125f;
-    render::save_image(frame, path);
+    folder.write("a.exr", render::encode_image(frame, path));
     const render::Image image = render::load_image(path);
     EXPECT_EQ(image.format, RSH_TEXEL_FLOAT32);
     EXPECT_EQ(image.floats, frame.pixels);
@@ -33,7 +33,7 @@ TEST(ImageOutput, KeepsLinearFloatsInExr) {
 TEST(ImageOutput, EncodesSrgbInPngAndClamps) {
     render::TemporaryFolder folder;
     const std::string path = folder.path("a.png");
-    render::save_image(four_pixels(), path);
+    folder.write("a.png", render::encode_image(four_pixels(), path));
     const render::Image image = render::load_image(path);
     ASSERT_EQ(image.format, RSH_TEXEL_SRGB8);
     // Linear 0.5 is 187.5 of 255 in sRGB, 0.2158605 is 128, 0.002 is in the linear toe.

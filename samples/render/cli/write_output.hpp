@@ -1,0 +1,14 @@
+// write_output.hpp - a file that rsh-render leaves: written whole, or not at all when a signal asks to
+// end.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace render {
+
+// Throws Interrupted instead of replacing what is at `path`. A signal that comes later finds the new
+// file there, so that the exit status of a program that ends by it says which of them is.
+void write_output(const std::string& path, std::string_view bytes);
+
+}  // namespace render

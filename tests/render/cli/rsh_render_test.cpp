@@ -1,0 +1,153 @@
+// rsh_render_test.cpp - the program as a whole: what it wants to be asked for, and how it ends.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "temporary_folder.hpp"
+
+namespace render {
+namespace {
+
+struct Ended {
+    int status = -1;      // as a shell sees it
+    std::string printed;  // on both streams
+};
+
+Ended run(const std::string& arguments) {
+    const std::string command = "'" RSH_RENDER "' " + arguments + " 2>&1";
+    Ended ended;
+    FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> block;
+    while (const size_t got = fread(block.data(), 1, block.size(), pipe))
+        ended.printed.append(block.data(), got);
+    const int status = pclose(pipe);
+    ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return ended;
+}
+
+std::string content(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Until the process has a handler for the signal.
+void wait_until_caught(pid_t process, int signal) {
+    for (int i = 0; i < 2000; ++i) {
+        std::ifstream status("/proc/" + std::to_string(process) + "/status");
+        std::string word;
+        while (status >> word && word != "SigCgt:") continue;
+        if (status >> word && std::stoull(word, nullptr, 16) >> (signal - 1) & 1) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ADD_FAILURE() << "no handler for signal " << signal << " after 20 s";
+}
+
+class RshRender : public testing::Test {
+protected:
+    std::string scene() const {
+        return folder_.write("scene.json",
+                             R"({"meshes": [{"generator": "room", "triangles": 1500}]})") +
+               " --size 16x16 --bounces 1 ";
+    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+
+    // The run fails with a message that has all of `parts`.
+    void expect_error(const std::string& arguments, std::initializer_list<std::string> parts) {
+        const Ended ended = run(scene() + arguments);
+        EXPECT_NE(ended.status, 0) << arguments;
+        for (const std::string& part : parts)
+            EXPECT_NE(ended.printed.find(part), std::string::npos)
+                << arguments << ": \"" << part << "\" is not in: " << ended.printed;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(RshRender, SaysWhatToAddWhenNothingIsAskedFor) {
+    expect_error("", {"--out", "--json", "--stats", "--check"});
+    expect_error("--check-rays 5 --no-shadow", {"--out", "--json", "--stats", "--check"});
+}
+
+TEST_F(RshRender, IsContentWithAnyOneOutput) {
+    for (const std::string& output : {"--out " + path("a.png"), "--json " + path("a.json"),
+                                      std::string("--stats"), std::string("--check 1")}) {
+        const Ended ended = run(scene() + output);
+        EXPECT_EQ(ended.status, 0) << output << ": " << ended.printed;
+    }
+    EXPECT_EQ(content(path("a.png")).substr(1, 3), "PNG");
+    EXPECT_EQ(content(path("a.json")).substr(0, 1), "{");
+}
+
+// No folder of scenes is searched and no device is opened before: the scene need not be there.
+TEST_F(RshRender, ChecksItsOutputsFirst) {
+    folder_.write("folder/x", "");
+    const auto wrong = [&](const std::string& option,
+                           std::initializer_list<std::string> parts) {
+        const Ended ended = run("none.json " + option);
+        EXPECT_EQ(ended.status, 1) << option;
+        for (const std::string& part : parts)
+            EXPECT_NE(ended.printed.find(part), std::string::npos)
+                << option << ": \"" << part << "\" is not in: " << ended.printed;
+    };
+    wrong("--out ''", {"--out", "no name"});
+    wrong("--json ''", {"--json", "no name"});
+    wrong("--inspect --json ''", {"--json", "no name"});
+    wrong("--out " + path("none/a.png"), {"--out", path("none/a.png"), "folder"});
+    wrong("--json " + path("none/a"), {"--json", path("none/a"), "folder"});
+    wrong("--out " + path("folder"), {"is a folder"});
+    wrong("--out " + path("folder/"), {"is a folder"});
+    wrong("--out " + path("folder/x/a.png"), {"folder"});
+    for (const char* ending : {"", ".", ".pgn", ".txt", ".png.xz", ".null"})
+        wrong("--out " + path(std::string("a") + ending), {"ending", ".png", ".exr"});
+    wrong("--out " + path("a.png") + " --json " + path("a.png"), {"its own"});
+}
+
+TEST_F(RshRender, ChecksTheFoldersOfAllFrames) {
+    folder_.write("frame0/x", "");
+    expect_error("--frames 2 --out " + path("frame%d/a.png"), {path("frame1"), "folder"});
+    EXPECT_EQ(content(path("frame0/a.png")), "") << "was written before the check";
+    folder_.write("frame1/x", "");
+    EXPECT_EQ(run(scene() + "--frames 2 --out " + path("frame%d/a.png")).status, 0);
+    EXPECT_NE(content(path("frame1/a.png")), "");
+}
+
+TEST_F(RshRender, FailsWhenAnOutputCannotBeWritten) {
+    expect_error("--json /dev/full", {"/dev/full", "No space"});
+    expect_error("--stats >/dev/full", {});
+    folder_.write("a.png", "old");
+    std::filesystem::create_symlink("/dev/full", path("full.png"));
+    expect_error("--out " + path("full.png"), {"full.png", "No space"});
+}
+
+TEST_F(RshRender, EndsBySignalsWithTheOldPicture) {
+    const std::string picture = folder_.write("a.png", "old");
+    const std::string file =
+        folder_.write("big.json", R"({"meshes": [{"generator": "room", "triangles": 1500}]})");
+    for (const int signal : {SIGTERM, SIGINT}) {
+        const pid_t child = fork();
+        if (child == 0) {
+            execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "2048x2048", "--frames",
+                  "1000", "--out", picture.c_str(), static_cast<char*>(nullptr));
+            _exit(127);
+        }
+        wait_until_caught(child, signal);
+        kill(child, signal);
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFEXITED(status)) << "ended by signal " << WTERMSIG(status);
+        EXPECT_EQ(WEXITSTATUS(status), 128 + signal);
+        EXPECT_EQ(content(picture), "old");
+    }
+}
+
+}  // namespace
+}  // namespace render
