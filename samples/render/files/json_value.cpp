@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -32,6 +33,10 @@ std::string shortened(const nlohmann::json& value) {
     std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
     return fmt::format("{} ({})", text, value.type_name());
+}
+
+bool is_float(const nlohmann::json& value) {
+    return value.is_number() && std::abs(value.get<double>()) <= FLT_MAX;
 }
 
 std::string child_path(const std::string& parent, std::string_view key) {
@@ -130,18 +135,26 @@ double JsonValue::number_in(double low, double high) const {
 
 int64_t JsonValue::integer_in(int64_t low, int64_t high) const {
     const auto allowed = [&] { return fmt::format("a whole number from {} to {}", low, high); };
-    if (!value_->is_number_integer()) fail(allowed());
-    const auto number = value_->get<int64_t>();
-    if (number < low || number > high) fail(allowed());
-    return number;
+    // A double cannot tell whole numbers of more bits apart, and JSON has no other kind.
+    constexpr double kLargestWhole = 9007199254740992.0;
+    if (!value_->is_number()) fail(allowed());
+    const double number = value_->get<double>();
+    const bool is_whole = std::abs(number) <= kLargestWhole && number == std::floor(number);
+    if (!is_whole || number < static_cast<double>(low) || number > static_cast<double>(high))
+        fail(allowed());
+    return static_cast<int64_t>(number);
 }
 
 std::vector<float> JsonValue::numbers(size_t count) const {
-    const auto is_number = [](const nlohmann::json& item) { return item.is_number(); };
     if (!value_->is_array() || value_->size() != count ||
-        !std::all_of(value_->begin(), value_->end(), is_number))
-        fail(fmt::format("an array of {} numbers", count));
+        !std::all_of(value_->begin(), value_->end(), is_float))
+        fail(fmt::format("an array of {} numbers from {} to {}", count, -FLT_MAX, FLT_MAX));
     return value_->get<std::vector<float>>();
+}
+
+bool has_length(glm::vec3 v) {
+    const float square = glm::dot(v, v);
+    return square > 0.0f && std::isfinite(square);
 }
 
 glm::vec3 JsonValue::vec3() const {
@@ -151,17 +164,16 @@ glm::vec3 JsonValue::vec3() const {
 
 glm::vec3 JsonValue::direction() const {
     const glm::vec3 v = vec3();
-    if (!(glm::dot(v, v) > 0.0f)) fail("three numbers that are not all 0");
+    if (!has_length(v)) fail("three numbers, a vector of a length from 1e-18 to 1e18");
     return v;
 }
 
 glm::vec3 JsonValue::colour() const {
     constexpr auto kAllowed =
-        "one number or an array of 3 numbers (linear r, g, b), none negative";
+        "one number or an array of 3 numbers (linear r, g, b), none negative or beyond a float";
     const bool three = value_->is_array() && value_->size() == 3 &&
-                       std::all_of(value_->begin(), value_->end(),
-                                   [](const nlohmann::json& item) { return item.is_number(); });
-    if (!three && !value_->is_number()) fail(kAllowed);
+                       std::all_of(value_->begin(), value_->end(), is_float);
+    if (!three && !is_float(*value_)) fail(kAllowed);
     const glm::vec3 rgb = three ? vec3() : glm::vec3(value_->get<float>());
     if (!(rgb.r >= 0.0f && rgb.g >= 0.0f && rgb.b >= 0.0f)) fail(kAllowed);
     return rgb;

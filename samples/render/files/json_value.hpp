@@ -38,7 +38,7 @@ public:
     int64_t integer_in(int64_t low, int64_t high) const;
     std::vector<float> numbers(size_t count) const;
     glm::vec3 vec3() const;
-    glm::vec3 direction() const;  // not the zero vector
+    glm::vec3 direction() const;  // that has_length
     glm::vec3 colour() const;     // one number stands for grey; not negative
 
     // "scene.json: meshes[2].file", the start of every message about this value.
@@ -51,6 +51,9 @@ private:
     std::string file_;
     std::string path_;
 };
+
+// Whether its length, as floats compute it, is neither 0 nor infinite.
+bool has_length(glm::vec3 v);
 
 // The candidate that needs the fewest edits to become `word`; empty when there is none.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "files/asset.hpp"
+#include "files/json_text.hpp"
 #include "files/little_endian.hpp"
 #include "files/text_scan.hpp"
 #include "import/mesh_file.hpp"
@@ -34,8 +34,7 @@ T member(const nlohmann::json& json, const char* name, const std::string& file) 
 
 Description read_description(const std::string& path) {
     const Asset asset = read_asset(path);
-    const auto json = nlohmann::json::parse(asset.bytes, nullptr, false);
-    if (json.is_discarded()) throw LoadError(asset.location + ": is not JSON");
+    const nlohmann::json json = parse_json(asset.bytes, asset.location);
     Description d;
     d.frames = member<size_t>(json, "frames", asset.location);
     d.vertices = member<size_t>(json, "vertices", asset.location);

@@ -1,6 +1,8 @@
 // motion_schema.cpp - transforms and key frames out of JSON.
 #include "scene/motion_schema.hpp"
 
+#include <cfloat>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace render {
@@ -22,7 +24,8 @@ Rotation rotation(const JsonValue& value) {
 }
 
 glm::vec3 scaling(const JsonValue& value) {
-    const glm::vec3 scale = value.is_number() ? glm::vec3(value.number()) : value.vec3();
+    const glm::vec3 scale =
+        value.is_number() ? glm::vec3(value.number_in(-FLT_MAX, FLT_MAX)) : value.vec3();
     if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
         value.fail("a number or an array of 3 numbers, none of them 0");
     return scale;
@@ -40,7 +43,9 @@ glm::mat4 matrix(const JsonValue& value) {
     if (glm::vec4(result[0][3], result[1][3], result[2][3], result[3][3]) !=
         glm::vec4(0, 0, 0, 1))
         rows[3].fail("[0, 0, 0, 1]");
-    if (!(glm::determinant(glm::mat3(result)) != 0.0f)) value.fail("a matrix with an inverse");
+    // In double: that of a small scale is no float.
+    if (!(glm::determinant(glm::dmat3(glm::mat3(result))) != 0.0))
+        value.fail("a matrix with an inverse");
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "files/file_search.hpp"
+#include "files/json_text.hpp"
 #include "files/json_value.hpp"
 #include "scene/scene_schema.hpp"
 
@@ -61,14 +62,6 @@ void merge(SceneDescription& merged, SceneDescription&& next) {
     keep_first(merged.settings.frames, next.settings.frames);
     keep_first(merged.settings.time, next.settings.time);
     keep_first(merged.settings.still, next.settings.still);
-}
-
-nlohmann::json parse_json(const std::string& text, const std::string& file) {
-    try {
-        return nlohmann::json::parse(text, nullptr, true, /*ignore_comments=*/true);
-    } catch (const nlohmann::json::exception& error) {
-        throw std::runtime_error(fmt::format("{}: not JSON: {}", file, error.what()));
-    }
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Camera camera(const JsonValue& value) {
     if (auto v = value.find("vertical_degrees"))
         camera.vertical_degrees = v->number_in(0.01, 179);
     if (auto v = value.find("near")) camera.near = v->number_in(0, kHuge);
-    if (glm::length(glm::cross(camera.at - camera.eye, camera.up)) == 0.0f)
+    if (!has_length(glm::cross(camera.at - camera.eye, camera.up)))
         value.fail("\"eye\" and \"at\" that differ, in a direction other than \"up\"");
     return camera;
 }
@@ -48,7 +48,7 @@ void light_position(const JsonValue& value, Light& light) {
     const bool has_target = light.kind == RSH_LIGHT_SPOT && value.has("at");
     light.direction = has_target ? value.member("at").vec3() - light.position
                                  : value.member("direction").direction();
-    if (glm::length(light.direction) == 0.0f)
+    if (!has_length(light.direction))
         value.member("at").fail("a place other than \"position\"");
 }
 

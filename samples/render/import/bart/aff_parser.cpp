@@ -3,6 +3,7 @@
 //
 // Materials: "specular" is BART's word for both the highlight and the mirror, T for how much
 // passes through; so reflection = specular and transmission = T in all channels, with ior.
+#include <cfloat>
 #include <cmath>
 #include <set>
 
@@ -67,6 +68,15 @@ private:
 
     float real(const char* what) { return static_cast<float>(tokens_.number(what)); }
 
+    float real_in(const char* what, float low, float high) {
+        const float value = real(what);
+        if (!(value >= low && value <= high))
+            tokens_.fail(std::string(what) + " is " + std::to_string(value) +
+                         ", but must be from " + std::to_string(low) + " to " +
+                         std::to_string(high));
+        return value;
+    }
+
     void view() {
         Camera camera;
         for (;;) {
@@ -84,8 +94,8 @@ private:
         if (word == "from") camera.eye = tokens_.vector("from");
         if (word == "at") camera.at = tokens_.vector("at");
         if (word == "up") camera.up = tokens_.vector("up");
-        if (word == "angle") camera.vertical_degrees = real("angle");
-        if (word == "hither") camera.near = real("hither");
+        if (word == "angle") camera.vertical_degrees = real_in("angle", 0.01f, 179.0f);
+        if (word == "hither") camera.near = real_in("hither", 0.0f, FLT_MAX);
         if (word == "resolution") tokens_.number("width"), tokens_.number("height");
     }
 
@@ -230,9 +240,10 @@ private:
 
     size_t index(const char* what, size_t count) {
         const double value = tokens_.number(what);
-        if (!(value >= 0.0 && value < static_cast<double>(count)))
+        if (!(value >= 0.0 && value < static_cast<double>(count) && value == std::floor(value)))
             tokens_.fail(std::string("the index of a ") + what + " is " +
-                         std::to_string(value) + ", but there are " + std::to_string(count));
+                         std::to_string(value) + ", but must be whole, and there are " +
+                         std::to_string(count));
         return static_cast<size_t>(value);
     }
 

@@ -13,6 +13,8 @@ namespace {
 
 // Deeper nesting can only be a file that includes itself.
 constexpr size_t kMaxDepth = 64;
+// Each of which may include the next one twice. BART's kitchen has fifty.
+constexpr size_t kMaxFiles = 10000;
 
 bool is_blank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
@@ -21,8 +23,16 @@ bool is_blank(char c) {
 }  // namespace
 
 AffTokens::AffTokens(const std::string& path) {
+    open(path);
+}
+
+void AffTokens::open(const std::string& path) {
+    if (++opened_ > kMaxFiles)
+        fail("includes more than " + std::to_string(kMaxFiles) + " files");
     Asset asset = read_asset(path);
-    files_.push_back({std::move(asset.location), std::move(asset.bytes)});
+    const size_t start =
+        asset.bytes.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;  // UTF-8's mark
+    files_.push_back({std::move(asset.location), std::move(asset.bytes), start});
 }
 
 void AffTokens::include(const std::string& name) {
@@ -30,8 +40,7 @@ void AffTokens::include(const std::string& name) {
         fail("includes are nested " + std::to_string(kMaxDepth) +
              " deep; does a file include "
              "itself?");
-    Asset asset = read_asset(sibling_path(files_.back().location, name));
-    files_.push_back({std::move(asset.location), std::move(asset.bytes)});
+    open(sibling_path(files_.back().location, name));
 }
 
 bool AffTokens::find_word() {

@@ -37,10 +37,13 @@ private:
         size_t line = 1, lines_until = 0;  // counted as far as there
     };
 
+    void open(const std::string& path);
+
     // Moves to the next word, out of files that have ended; false at the end of all.
     bool find_word();
 
     std::vector<File> files_;
+    size_t opened_ = 0;
 };
 
 }  // namespace render

@@ -193,6 +193,41 @@ TEST(AffAnimation, IncludesDependOnTheLevelOfDetail) {
     EXPECT_THROW(load_aff(loop), LoadError);
 }
 
+// 2^30 files, if it were followed.
+TEST(AffAnimation, IncludesThatMultiplyAreAnError) {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 30; ++i) {
+        const std::string next = "i 0 " + std::to_string(i + 1) + ".aff\n";
+        folder.write(std::to_string(i) + ".aff", next + next);
+    }
+    folder.write("30.aff", "");
+    try {
+        load_aff(folder.path("0.aff"));
+        FAIL() << "loads";
+    } catch (const LoadError& error) {
+        EXPECT_NE(std::string(error.what()).find("more than 10000 files"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(AffAnimation, MayBeginWithTheMarkOfUtf8) {
+    EXPECT_EQ(load_text("\xef\xbb\xbfp 3 0 0 0 1 0 0 0 1 0\n")->at(0.0).mesh.triangles.size(),
+              1u);
+}
+
+TEST(AffAnimation, NumbersFitTheirType) {
+    const std::string mesh = "m vertices 3 0 0 0 1 0 0 0 1 0 triangles 1 0 1 ";
+    for (const char* index : {"1.5", "-1", "3", "1e99", "nan"})
+        EXPECT_NE(error_of(mesh + index).find("index of a vertex"), std::string::npos) << index;
+    for (const char* count : {"-1", "1e99", "nan", "2.5", "4000000000"})
+        EXPECT_NE(error_of("p " + std::string(count) + " 0 0 0").find("number of corners"),
+                  std::string::npos)
+            << count;
+    for (const char* angle : {"0", "-40", "180", "1e99", "nan"})
+        EXPECT_NE(error_of("v angle " + std::string(angle)).find("angle is"), std::string::npos)
+            << angle;
+}
+
 TEST(AffAnimation, ErrorsNameTheLine) {
     EXPECT_NE(error_of("b 1 1 1\nq 3\n").find("line 2: unknown command 'q'"),
               std::string::npos);
