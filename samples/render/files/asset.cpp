@@ -25,8 +25,18 @@ constexpr const char* kCompressed[] = {".xz", ".gz", ".bz2", ".zst"};
 constexpr const char* kArchives[] = {".tar.xz",  ".tar.gz", ".tgz", ".tar.bz2",
                                      ".tar.zst", ".tar",    ".zip"};
 
-// A few bytes can unpack to any amount; no scene of the field needs this much.
-constexpr size_t kMaxUnpackedBytes = size_t{4} << 30;
+// No scene of the field needs this much.
+constexpr size_t kMaxBytes = size_t{4} << 30;
+
+// A few bytes can unpack to any amount. Meshes pack to a hundredth at best, so what unpacks to more
+// than a thousandfold, and is large, is no mesh.
+constexpr size_t kMaxUnpackedRatio = 1000;
+constexpr size_t kSmallBytes = size_t{256} << 20;
+
+size_t most_unpacked(const std::string& container) {
+    const size_t by_ratio = kMaxUnpackedRatio * std::filesystem::file_size(container);
+    return std::min(kMaxBytes, std::max(kSmallBytes, by_ratio));
+}
 
 struct CloseArchive {
     void operator()(archive* a) const { archive_read_free(a); }
@@ -78,7 +88,12 @@ Archive open_archive(const std::string& path, bool as_single_file) {
     return a;
 }
 
-std::string read_entry(archive* a, const std::string& location) {
+[[noreturn]] void fail_as_too_large(const std::string& location, size_t most) {
+    fail(location, "unpacks to more than " + std::to_string(most) +
+                       " bytes, the most that is read of a file of its size");
+}
+
+std::string read_entry(archive* a, const std::string& location, size_t most) {
     std::string bytes;
     char block[1 << 16];
     for (;;) {
@@ -86,9 +101,7 @@ std::string read_entry(archive* a, const std::string& location) {
         if (got < 0) fail(location, "cannot be unpacked: " + message_of(a));
         if (got == 0) return bytes;
         bytes.append(block, static_cast<size_t>(got));
-        if (bytes.size() > kMaxUnpackedBytes)
-            fail(location, "unpacks to more than " + std::to_string(kMaxUnpackedBytes) +
-                               " bytes, the most that is read");
+        if (bytes.size() > most) fail_as_too_large(location, most);
     }
 }
 
@@ -102,9 +115,15 @@ std::optional<std::string> read_member(const std::string& path, const std::strin
     const std::string wanted = member_name(member.c_str());
     archive_entry* entry = nullptr;
     int status;
-    while ((status = archive_read_next_header(a.get(), &entry)) == ARCHIVE_OK)
+    const size_t most = most_unpacked(path);
+    while ((status = archive_read_next_header(a.get(), &entry)) == ARCHIVE_OK) {
         if (member_name(archive_entry_pathname(entry)) == wanted)
-            return read_entry(a.get(), path + ":" + member);
+            return read_entry(a.get(), path + ":" + member, most);
+        // What is not wanted is unpacked too, on the way to the next header.
+        const auto passed = static_cast<size_t>(archive_filter_bytes(a.get(), 0));
+        const auto size = static_cast<size_t>(archive_entry_size(entry));
+        if (passed > most || size > most - passed) fail_as_too_large(path, most);
+    }
     if (status != ARCHIVE_EOF) fail(path, "cannot be unpacked: " + message_of(a.get()));
     return std::nullopt;
 }
@@ -116,13 +135,17 @@ std::string read_compressed(const std::string& path) {
         fail(path, "cannot be unpacked: " + message_of(a.get()));
     // libarchive hands on what no filter recognizes; the only "filter" then is the file itself.
     if (archive_filter_count(a.get()) < 2) fail(path, "cannot be unpacked: is not compressed");
-    return read_entry(a.get(), path);
+    return read_entry(a.get(), path, most_unpacked(path));
 }
 
 std::string read_plain(const std::string& path) {
+    const size_t size = fs::file_size(path);
+    if (size > kMaxBytes)
+        fail(path, "has " + std::to_string(size) + " bytes, the most that is read is " +
+                       std::to_string(kMaxBytes));
     std::ifstream file(path, std::ios::binary);
     std::ostringstream bytes;
-    if (fs::file_size(path) > 0) bytes << file.rdbuf();
+    if (size > 0) bytes << file.rdbuf();
     if (!file || !bytes) fail(path, "cannot be read");
     return bytes.str();
 }

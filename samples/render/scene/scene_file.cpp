@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <sstream>
-#include <stdexcept>
 
+#include "files/asset.hpp"
 #include "files/file_search.hpp"
 #include "files/json_text.hpp"
 #include "files/json_value.hpp"
@@ -18,14 +16,6 @@ namespace render {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_text(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-    return text.str();
-}
 
 SceneDescription plain_mesh(const std::string& path) {
     MeshEntry entry;
@@ -39,7 +29,7 @@ SceneDescription plain_mesh(const std::string& path) {
 SceneDescription read_one(const std::string& name) {
     const std::string path = find_file(name, search_folders("."), "SCENE");
     if (fs::path(path).extension() != ".json") return plain_mesh(path);
-    return parse_scene(read_text(path), path);
+    return parse_scene(read_asset(path).bytes, path);
 }
 
 template <typename T>
