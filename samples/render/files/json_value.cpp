@@ -145,11 +145,11 @@ int64_t JsonValue::integer_in(int64_t low, int64_t high) const {
     return static_cast<int64_t>(number);
 }
 
-std::vector<float> JsonValue::numbers(size_t count) const {
+std::vector<double> JsonValue::numbers(size_t count) const {
     if (!value_->is_array() || value_->size() != count ||
         !std::all_of(value_->begin(), value_->end(), is_float))
         fail(fmt::format("an array of {} numbers from {} to {}", count, -FLT_MAX, FLT_MAX));
-    return value_->get<std::vector<float>>();
+    return value_->get<std::vector<double>>();
 }
 
 bool has_length(glm::vec3 v) {
@@ -157,7 +157,7 @@ bool has_length(glm::vec3 v) {
     return square > 0.0f && std::isfinite(square);
 }
 
-glm::vec3 JsonValue::vec3() const {
+glm::dvec3 JsonValue::dvec3() const {
     const auto n = numbers(3);
     return {n[0], n[1], n[2]};
 }

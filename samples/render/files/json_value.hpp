@@ -36,8 +36,9 @@ public:
     double number() const;
     double number_in(double low, double high) const;
     int64_t integer_in(int64_t low, int64_t high) const;
-    std::vector<float> numbers(size_t count) const;
-    glm::vec3 vec3() const;
+    std::vector<double> numbers(size_t count) const;  // within a float's range
+    glm::vec3 vec3() const { return dvec3(); }
+    glm::dvec3 dvec3() const;
     glm::vec3 direction() const;  // that has_length
     glm::vec3 colour() const;     // one number stands for grey; not negative
 

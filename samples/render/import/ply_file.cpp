@@ -74,13 +74,13 @@ private:
         const bool has_texcoords = std::count(slots.begin(), slots.end(), 7) > 0;
         for (size_t i = 0; i < element.count; ++i) {
             values_.start_row(element, i);
-            float v[8] = {};
+            double v[8] = {};
             for (size_t k = 0; k < slots.size(); ++k) {
                 const PlyProperty& p = element.properties[k];
                 if (slots[k] < 0)
                     values_.skip(p);
                 else
-                    v[slots[k]] = static_cast<float>(values_.next(*p.type));
+                    v[slots[k]] = values_.next(*p.type);
             }
             soup_.positions.emplace_back(v[0], v[1], v[2]);
             if (has_normals) soup_.normals.emplace_back(v[3], v[4], v[5]);

@@ -102,7 +102,7 @@ ParsedMesh read_stl(const std::string& bytes, const std::string& name) {
         soup.corners.push_back({weld(position), {}, {}});
         if (soup.corners.size() % 3 == 0) soup.ends.push_back(soup.corners.size());
     }
-    soup.positions = weld.positions();
+    soup.positions.assign(weld.positions().begin(), weld.positions().end());
     return parsed;
 }
 

@@ -107,7 +107,9 @@ VertexFrames::VertexFrames(NumberedModel base, std::vector<glm::vec3> positions,
     : base_(std::move(base)),
       positions_(std::move(positions)),
       span_(span),
-      normal_groups_(normal_groups(base_)) {}
+      normal_groups_(normal_groups(base_)) {
+    for (glm::vec3& p : positions_) p = glm::dvec3(p) - base_.model.mesh.origin;
+}
 
 Model VertexFrames::at(double time) const {
     Model model = base_.model;

@@ -61,6 +61,9 @@ struct Camera {
 
 // Corners that differ in position, normal or texture coordinate are different vertices.
 struct Mesh {
+    // What to add to all positions, in double: coordinates of a map, say, are too large for floats
+    // to tell one vertex from the next. 0 for most meshes.
+    glm::dvec3 origin{0.0};
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;    // empty, or one per vertex; a zero vector means flat
     std::vector<glm::vec2> texcoords;  // empty, or one per vertex

@@ -3,6 +3,7 @@
 #include "model/soup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <unordered_map>
@@ -44,7 +45,7 @@ void add_triangles(const Soup& soup, size_t first, size_t end,
                    const std::vector<uint32_t>& vertex_of_corner, Mesh& mesh) {
     std::vector<glm::dvec3> polygon;
     for (size_t i = first; i < end; ++i)
-        polygon.emplace_back(soup.positions[soup.corners[i].vertex]);
+        polygon.push_back(soup.positions[soup.corners[i].vertex]);
     for (const glm::uvec3 t : triangulate(polygon))
         mesh.triangles.push_back({vertex_of_corner[first + t.x], vertex_of_corner[first + t.y],
                                   vertex_of_corner[first + t.z]});
@@ -58,9 +59,56 @@ void add_polygons(const Soup& soup, const std::vector<uint32_t>& vertex_of_corne
     }
 }
 
+double largest(glm::dvec3 v) {
+    return std::max(std::max(v.x, v.y), v.z);
+}
+
+// Would floats round a polygon's corners by more than a thousandth of its size?
+bool is_coarse_in_float(const Soup& soup, size_t polygon) {
+    glm::dvec3 low(INFINITY), high(-INFINITY);
+    for (size_t i = first_corner(soup, polygon); i < soup.ends[polygon]; ++i) {
+        low = glm::min(low, soup.positions[soup.corners[i].vertex]);
+        high = glm::max(high, soup.positions[soup.corners[i].vertex]);
+    }
+    const double size = largest(high - low), far = largest(glm::max(-low, high));
+    return size > 0.0 && std::isfinite(far) && far * 0x1p-24 > size * 1e-3;
+}
+
+// That of all finite values below which this share of them lies; 0 without any.
+double quantile(std::vector<double> values, double share) {
+    const auto is_huge = [](double v) { return !std::isfinite(static_cast<float>(v)); };
+    values.erase(std::remove_if(values.begin(), values.end(), is_huge), values.end());
+    if (values.empty()) return 0.0;
+    const double last = static_cast<double>(values.size() - 1);
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * last);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+// 0 unless many polygons are coarse and the mesh is small against its distance from 0. Then the
+// middle of its corners, as a float, so that coordinates that are floats stay exact. Corners that
+// lie astray, up to a tenth, do not count.
+glm::dvec3 origin_of(const Soup& soup) {
+    size_t coarse = 0;
+    for (size_t i = 0; i < soup.ends.size(); ++i) coarse += is_coarse_in_float(soup, i);
+    if (16 * coarse <= soup.ends.size()) return glm::dvec3(0.0);
+    glm::dvec3 middle(0.0), size(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (const Corner& corner : soup.corners)
+            values.push_back(soup.positions[corner.vertex][axis]);
+        middle[axis] = static_cast<float>(quantile(values, 0.5));
+        for (double& value : values) value = std::abs(value - middle[axis]);
+        size[axis] = quantile(values, 0.9);
+    }
+    return largest(glm::abs(middle)) > 8.0 * largest(size) ? middle : glm::dvec3(0.0);
+}
+
 IndexedMesh with_vertices_of_file(const Soup& soup) {
     IndexedMesh result;
-    result.mesh.positions = soup.positions;
+    result.mesh.origin = origin_of(soup);
+    for (const glm::dvec3& position : soup.positions)
+        result.mesh.positions.emplace_back(position - result.mesh.origin);
     result.mesh.normals = soup.normals;
     result.mesh.texcoords = soup.texcoords;
     result.source.resize(soup.positions.size());
@@ -73,6 +121,7 @@ IndexedMesh with_vertices_of_file(const Soup& soup) {
 
 IndexedMesh with_vertices_of_corners(const Soup& soup) {
     IndexedMesh result;
+    result.mesh.origin = origin_of(soup);
     std::unordered_map<CornerBits, uint32_t, HashBits> known;
     std::vector<uint32_t> vertex_of_corner;
     for (const Corner& corner : soup.corners) {
@@ -81,7 +130,7 @@ IndexedMesh with_vertices_of_corners(const Soup& soup) {
         vertex_of_corner.push_back(entry->second);
         if (!is_new) continue;
         result.source.push_back(corner.vertex);
-        result.mesh.positions.push_back(soup.positions[corner.vertex]);
+        result.mesh.positions.emplace_back(soup.positions[corner.vertex] - result.mesh.origin);
         if (soup.corners_have_normals) result.mesh.normals.push_back(corner.normal);
         if (soup.corners_have_texcoords) result.mesh.texcoords.push_back(corner.texcoord);
     }

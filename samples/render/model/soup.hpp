@@ -24,7 +24,7 @@ struct Corner {
 };
 
 struct Soup {
-    std::vector<glm::vec3> positions;
+    std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;    // empty, or one per position
     std::vector<glm::vec2> texcoords;  // empty, or one per position
     std::vector<Corner> corners;       // of all polygons, one polygon after the other

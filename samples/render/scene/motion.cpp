@@ -10,9 +10,9 @@ namespace render {
 namespace {
 
 struct Moment {
-    glm::vec3 translate;
+    glm::dvec3 translate;
     glm::dquat rotate;
-    float scale;
+    double scale;
 };
 
 Moment moment_of(const RigidKey& key) {
@@ -21,9 +21,8 @@ Moment moment_of(const RigidKey& key) {
 
 Moment between(const RigidKey& a, const RigidKey& b, double time) {
     const double u = (time - a.time) / (b.time - a.time);
-    return {glm::mix(a.translate, b.translate, static_cast<float>(u)),
-            rotation_between(a.rotate, b.rotate, u),
-            glm::mix(a.scale, b.scale, static_cast<float>(u))};
+    return {glm::mix(a.translate, b.translate, u), rotation_between(a.rotate, b.rotate, u),
+            glm::mix(double{a.scale}, double{b.scale}, u)};
 }
 
 Moment moment_at(const std::vector<RigidKey>& keys, double time) {
@@ -37,21 +36,21 @@ Moment moment_at(const std::vector<RigidKey>& keys, double time) {
 
 }  // namespace
 
-glm::mat4 motion_at(const std::vector<RigidKey>& keys, double time, glm::vec3 pivot) {
-    if (keys.empty()) return glm::mat4(1.0f);
+glm::dmat4 motion_at(const std::vector<RigidKey>& keys, double time, glm::dvec3 pivot) {
+    if (keys.empty()) return glm::dmat4(1.0);
     const Moment now = moment_at(keys, time);
-    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), pivot + now.translate);
-    const glm::mat4 turned = moved * glm::mat4(glm::mat4_cast(now.rotate));
-    return glm::translate(glm::scale(turned, glm::vec3(now.scale)), -pivot);
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), pivot + now.translate);
+    const glm::dmat4 turned = moved * glm::mat4_cast(now.rotate);
+    return glm::translate(glm::scale(turned, glm::dvec3(now.scale)), -pivot);
 }
 
-glm::mat4 standing_at(glm::vec3 low, glm::vec3 high, glm::vec3 at, float height) {
+glm::dmat4 standing_at(glm::dvec3 low, glm::dvec3 high, glm::dvec3 at, double height) {
     if (!(high.y > low.y))
         throw std::runtime_error("\"stand\" needs a mesh with a height; its box is flat in y");
-    const glm::vec3 foot(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));
-    const float scale = height / (high.y - low.y);
-    const glm::mat4 placed = glm::translate(glm::mat4(1.0f), at);
-    return glm::translate(glm::scale(placed, glm::vec3(scale)), -foot);
+    const glm::dvec3 foot(0.5 * (low.x + high.x), low.y, 0.5 * (low.z + high.z));
+    const double scale = height / (high.y - low.y);
+    const glm::dmat4 placed = glm::translate(glm::dmat4(1.0), at);
+    return glm::translate(glm::scale(placed, glm::dvec3(scale)), -foot);
 }
 
 }  // namespace render

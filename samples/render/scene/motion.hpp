@@ -13,18 +13,18 @@ namespace render {
 // p' = pivot + rotate(scale * (p - pivot)) + translate at `time` [s].
 struct RigidKey {
     double time = 0.0;
-    glm::vec3 translate{0.0f};
+    glm::dvec3 translate{0.0};
     Rotation rotate;
     float scale = 1.0f;
 };
 
 // The keys' times ascend; before the first and after the last the motion stands still. Without
 // keys: the identity.
-glm::mat4 motion_at(const std::vector<RigidKey>& keys, double time,
-                    glm::vec3 pivot = glm::vec3(0.0f));
+glm::dmat4 motion_at(const std::vector<RigidKey>& keys, double time,
+                     glm::dvec3 pivot = glm::dvec3(0.0));
 
 // Stands a thing with the bounding box [low, high] upright: the middle of the box's bottom
 // comes to `at`, and the box gets the height `height`. Throws when the box is flat in y.
-glm::mat4 standing_at(glm::vec3 low, glm::vec3 high, glm::vec3 at, float height);
+glm::dmat4 standing_at(glm::dvec3 low, glm::dvec3 high, glm::dvec3 at, double height);
 
 }  // namespace render

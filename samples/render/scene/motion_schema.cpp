@@ -23,40 +23,38 @@ Rotation rotation(const JsonValue& value) {
             value.member("degrees").number()};
 }
 
-glm::vec3 scaling(const JsonValue& value) {
-    const glm::vec3 scale =
-        value.is_number() ? glm::vec3(value.number_in(-FLT_MAX, FLT_MAX)) : value.vec3();
-    if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
+glm::dvec3 scaling(const JsonValue& value) {
+    const glm::dvec3 scale =
+        value.is_number() ? glm::dvec3(value.number_in(-FLT_MAX, FLT_MAX)) : value.dvec3();
+    const glm::vec3 rounded = scale;
+    if (rounded.x == 0.0f || rounded.y == 0.0f || rounded.z == 0.0f)
         value.fail("a number or an array of 3 numbers, none of them 0");
     return scale;
 }
 
 // Four rows of four numbers, as matrices are written; the last row is 0 0 0 1.
-glm::mat4 matrix(const JsonValue& value) {
+glm::dmat4 matrix(const JsonValue& value) {
     const auto rows = value.items();
     if (rows.size() != 4) value.fail("an array of 4 rows");
-    glm::mat4 result(1.0f);
+    glm::dmat4 result(1.0);
     for (int row = 0; row < 4; ++row) {
         const auto numbers = rows[row].numbers(4);
         for (int column = 0; column < 4; ++column) result[column][row] = numbers[column];
     }
-    if (glm::vec4(result[0][3], result[1][3], result[2][3], result[3][3]) !=
-        glm::vec4(0, 0, 0, 1))
+    if (glm::dvec4(result[0][3], result[1][3], result[2][3], result[3][3]) !=
+        glm::dvec4(0, 0, 0, 1))
         rows[3].fail("[0, 0, 0, 1]");
-    // In double: that of a small scale is no float.
-    if (!(glm::determinant(glm::dmat3(glm::mat3(result))) != 0.0))
-        value.fail("a matrix with an inverse");
+    if (!(glm::determinant(glm::dmat3(result)) != 0.0)) value.fail("a matrix with an inverse");
     return result;
 }
 
-glm::mat4 step(const JsonValue& value) {
+glm::dmat4 step(const JsonValue& value) {
     value.allow_keys({"translate", "rotate", "scale", "matrix"});
     if (value.keys().size() != 1)
         value.fail("one of translate, rotate, scale, matrix per step");
-    const glm::mat4 identity(1.0f);
-    if (auto v = value.find("translate")) return glm::translate(identity, v->vec3());
-    if (auto v = value.find("rotate"))
-        return glm::mat4(glm::mat4_cast(quaternion(rotation(*v))));
+    const glm::dmat4 identity(1.0);
+    if (auto v = value.find("translate")) return glm::translate(identity, v->dvec3());
+    if (auto v = value.find("rotate")) return glm::mat4_cast(quaternion(rotation(*v)));
     if (auto v = value.find("scale")) return glm::scale(identity, scaling(*v));
     return matrix(value.member("matrix"));
 }
@@ -65,7 +63,7 @@ RigidKey rigid_key(const JsonValue& value) {
     value.allow_keys({"time", "translate", "rotate", "scale"});
     RigidKey key;
     key.time = value.member("time").number_in(-kLargest, kLargest);
-    if (auto v = value.find("translate")) key.translate = v->vec3();
+    if (auto v = value.find("translate")) key.translate = v->dvec3();
     if (auto v = value.find("rotate")) key.rotate = rotation(*v);
     if (auto v = value.find("scale"))
         key.scale = static_cast<float>(v->number_in(1e-30, kLargest));
@@ -74,9 +72,9 @@ RigidKey rigid_key(const JsonValue& value) {
 
 }  // namespace
 
-glm::mat4 transform(const JsonValue& value) {
+glm::dmat4 transform(const JsonValue& value) {
     if (value.is_object()) return step(value);
-    glm::mat4 whole(1.0f);
+    glm::dmat4 whole(1.0);
     for (const JsonValue& item : value.items()) whole = step(item) * whole;
     return whole;
 }

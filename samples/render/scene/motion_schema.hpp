@@ -10,7 +10,7 @@ namespace render {
 
 // One step or an array of steps {"translate": ...}, {"rotate": ...}, {"scale": ...},
 // {"matrix": ...}, applied to the mesh in that order.
-glm::mat4 transform(const JsonValue& value);
+glm::dmat4 transform(const JsonValue& value);
 
 std::vector<RigidKey> rigid_keys(const JsonValue& value);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -74,15 +75,17 @@ void change_materials(const MeshEntry& entry, std::vector<Material>& materials) 
     for (const auto& [name, c] : entry.materials) change_named(materials, name, c, entry.where);
 }
 
-glm::mat4 static_transform(const MeshEntry& entry, const Mesh& mesh) {
-    if (!entry.stand) return entry.transform;
-    glm::vec3 low(INFINITY), high(-INFINITY);
+// Of what the mesh holds: its positions less its origin.
+glm::dmat4 static_transform(const MeshEntry& entry, const Mesh& mesh) {
+    const glm::dmat4 placed = glm::translate(entry.transform, mesh.origin);
+    if (!entry.stand) return placed;
+    glm::dvec3 low(INFINITY), high(-INFINITY);
     for (const glm::vec3& position : mesh.positions) {
-        const glm::vec3 p(entry.transform * glm::vec4(position, 1.0f));
+        const glm::dvec3 p(placed * glm::dvec4(position, 1.0));
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    return standing_at(low, high, entry.stand->at, entry.stand->height) * entry.transform;
+    return standing_at(low, high, entry.stand->at, entry.stand->height) * placed;
 }
 
 glm::vec3 point(const glm::mat4& matrix, glm::vec3 p) {
@@ -125,6 +128,19 @@ void place_camera_and_lights(const glm::mat4& matrix, const Model& rest, Model& 
     placed.camera->up = turn * rest.camera->up;
 }
 
+// Its origin keeps such a mesh fine until it is placed; in the world, positions are floats.
+std::optional<std::string> coarseness(const glm::dmat4& matrix, const MeshEntry& entry,
+                                      const Mesh& mesh) {
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix))));
+    const double before = scale * glm::length(mesh.origin);
+    const double now = glm::length(glm::dvec3(matrix[3]));
+    if (!(before > 0.0 && now > 0.1 * before)) return std::nullopt;
+    return fmt::format(
+        "{}: lies {:.3g} from the world's origin, where floats round by up to {:.2g}, too "
+        "much for its size; \"transform\" can move it nearer",
+        entry.file, now, now * 0x1p-24);
+}
+
 }  // namespace
 
 Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
@@ -137,6 +153,8 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
         if (animation_) animated_triangles_ = rest_.mesh.triangles;
         if (entry_.is_smooth) smooth();
         transform_ = static_transform(entry_, rest_.mesh);
+        if (const auto warning = coarseness(transform_, entry_, rest_.mesh))
+            rest_.warnings.push_back(*warning);
     } catch (const std::exception& error) {
         // A mesh on the command line is its own place, which its loader has named already.
         const std::string message = error.what();
@@ -198,7 +216,7 @@ double Part::animation_time(double time) const {
 
 void Part::place(double time) {
     const glm::vec3 pivot = entry_.stand ? entry_.stand->at : glm::vec3(0.0f);
-    const glm::mat4 matrix = motion_at(entry_.keys, time, pivot) * transform_;
+    const glm::mat4 matrix = motion_at(entry_.keys, time, pivot) * transform_;  // rounded once
     place_mesh(matrix, rest_.mesh, placed_.mesh);
     place_camera_and_lights(matrix, rest_, placed_);
 }

@@ -34,7 +34,7 @@ private:
 
     MeshEntry entry_;
     std::unique_ptr<Animation> animation_;
-    glm::mat4 transform_;
+    glm::dmat4 transform_;
     Model rest_;  // before placing
     std::vector<uint32_t>
         uncut_;  // vertex of the file's mesh for each of `rest_`, if that is cut

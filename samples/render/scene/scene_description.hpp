@@ -35,7 +35,7 @@ struct MeshEntry {
     bool is_smooth = false;         // make vertex normals, instead of the file's
     float crease_degrees = 180.0f;  // edges that are sharper stay so
     bool repeats = false;           // an animation starts again after its end
-    glm::mat4 transform{1.0f};
+    glm::dmat4 transform{1.0};
     std::optional<Stand> stand;
     std::vector<RigidKey> keys;
     MaterialChange material;                          // of every material, ...

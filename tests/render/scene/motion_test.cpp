@@ -10,7 +10,7 @@ namespace {
 using render::RigidKey;
 
 glm::vec3 moved(const std::vector<RigidKey>& keys, double time, glm::vec3 p) {
-    return render::motion_at(keys, time) * glm::vec4(p, 1.0f);
+    return render::motion_at(keys, time) * glm::dvec4(p, 1.0f);
 }
 
 void expect_near(glm::vec3 a, glm::vec3 b) {
@@ -45,7 +45,7 @@ TEST(Motion, TurnsAtConstantSpeedBetweenKeys) {
 TEST(Motion, TurnsAndScalesAboutItsPivot) {
     const auto moved_about = [](double time, glm::vec3 p) {
         return glm::vec3(render::motion_at(quarter_turn(), time, {10, 1, 5}) *
-                         glm::vec4(p, 1.0f));
+                         glm::dvec4(p, 1.0f));
     };
     expect_near(moved_about(1.0, {11, 1, 5}), {11, 1, 5});
     expect_near(moved_about(3.0, {10, 1, 5}), {14, 1, 5});  // the pivot only moves
@@ -54,8 +54,8 @@ TEST(Motion, TurnsAndScalesAboutItsPivot) {
 
 TEST(Motion, StandsABoxOnItsPlace) {
     const glm::mat4 m = render::standing_at({-1, 5, 0}, {3, 7, 8}, {10, 1, 20}, 6.0f);
-    expect_near(m * glm::vec4(1, 5, 4, 1), {10, 1, 20});
-    expect_near(m * glm::vec4(1, 7, 4, 1), {10, 7, 20});
+    expect_near(m * glm::dvec4(1, 5, 4, 1), {10, 1, 20});
+    expect_near(m * glm::dvec4(1, 7, 4, 1), {10, 7, 20});
 }
 
 TEST(Motion, CannotStandAFlatThing) {

@@ -50,7 +50,7 @@ TEST(SceneFile, ReadsEveryKindOfObject) {
     EXPECT_TRUE(scene.meshes[0].room.mirror_sphere);
     EXPECT_TRUE(scene.meshes[0].room.mirror_floor);
     EXPECT_FALSE(scene.meshes[0].room.glass);
-    EXPECT_EQ(scene.meshes[0].transform[3], glm::vec4(1, 2, 3, 1));
+    EXPECT_EQ(scene.meshes[0].transform[3], glm::dvec4(1, 2, 3, 1));
     EXPECT_EQ(*scene.meshes[0].material.diffuse, glm::vec3(0.5f));
     EXPECT_EQ(*scene.meshes[0].materials.at("mirror").reflection, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(scene.camera->vertical_degrees, 30.0f);
@@ -118,7 +118,7 @@ TEST(SceneFile, AppliesTransformStepsInTheOrderOfTheList) {
         R"({"meshes": [{"generator": "room", "transform": [{"scale": 2},
             {"rotate": {"axis": [0, 1, 0], "degrees": 90}}, {"translate": [0, 0, 5]}]}]})",
         "scene.json");
-    const glm::vec4 p = scene.meshes[0].transform * glm::vec4(1, 0, 0, 1);
+    const glm::dvec4 p = scene.meshes[0].transform * glm::dvec4(1, 0, 0, 1);
     EXPECT_NEAR(p.x, 0.0f, 1e-5f);
     EXPECT_NEAR(p.z, 3.0f, 1e-5f);
 }
