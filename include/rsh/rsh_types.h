@@ -139,17 +139,21 @@ RSH_ASSERT_SIZE(rsh_light, 128);
 #define RSH_TEXEL_SRGB8 0u   /* 4 bytes r g b a, sRGB-encoded */
 #define RSH_TEXEL_FLOAT32 1u /* 4 floats r g b a, linear       */
 
+#define RSH_WRAP_REPEAT 0u
+#define RSH_WRAP_CLAMP 1u /* outside of 0 .. 1 there is the colour of the edge */
+
 /* One image in the texel buffer; rows from top to bottom, v = 1 is the top edge. Texels are
- * decoded, then interpolated between their centres (bilinear); a is ignored. Images repeat.
+ * decoded, then interpolated between their centres (bilinear); a is ignored.
  * As a latitude-longitude image, a unit direction (x, y, z) looks at
  *   u = 0.5 + atan2(x, -z) / (2 pi),  v = 0.5 + asin(y) / pi
- * and the image repeats in u only: the middle is -z, the top +y. */
+ * and the image repeats in u only, whatever `wrap` is: the middle is -z, the top +y. */
 typedef struct rsh_texture {
     rsh_uint first_word; /* offset in the texel buffer, in units of 4 bytes */
     rsh_uint width;
     rsh_uint height;
     rsh_uint format; /* RSH_TEXEL_... */
-    rsh_uint reserved[8]; /* 0; for scale, shift, clamping and another filter */
+    rsh_uint wrap;   /* RSH_WRAP_...; other values repeat */
+    rsh_uint reserved[7]; /* 0; for scale, shift and another filter */
 } rsh_texture;
 RSH_ASSERT_SIZE(rsh_texture, 48);
 

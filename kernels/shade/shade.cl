@@ -30,7 +30,7 @@ static float3 texture_colour(const surface_buffers* buffers, const image_list* i
     const float2 uv = (1.0f - hit.u - hit.v) * vload2(corner[0], texcoords) +
                       hit.u * vload2(corner[1], texcoords) +
                       hit.v * vload2(corner[2], texcoords);
-    return sample_image(images, texture, uv, true);
+    return sample_image(images, texture, uv, false);
 }
 
 /* Blinn 1977: the highlight is where the normal lies halfway between light and viewer. */
@@ -64,7 +64,7 @@ static float3 environment_colour(const image_list* images, uint image, float3 pl
 {
     if (!RSH_ENVIRONMENT_IMAGE) return plain;
     const float2 uv = direction_to_uv(unit3(direction));
-    return plain * sample_image(images, image, uv, false);
+    return plain * sample_image(images, image, uv, true);
 }
 
 __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,

@@ -41,19 +41,25 @@ static texel_neighbours neighbours(float position, uint size, bool repeats)
     return n;
 }
 
-/* 0 .. 1, repeating; 0 for what is not finite. */
-static float repeated(float x) { return isfinite(x) ? x - floor(x) : 0.0f; }
+/* 0 .. 1, repeating or clamped; 0 for what is not finite, or no number. */
+static float wrapped(float x, bool repeats)
+{
+    if (repeats) return isfinite(x) ? x - floor(x) : 0.0f;
+    return fmin(fmax(x, 0.0f), 1.0f);
+}
 
-/* Rows run downwards from v = 1. Horizontally images repeat, vertically if `repeats`. White:
- * there is no such image, or it has no texel. */
-static float3 sample_image(const image_list* images, uint texture, float2 uv, bool repeats)
+/* Rows run downwards from v = 1. The image around the scene repeats horizontally, as a sphere does.
+ * White: there is no such image, or it has no texel. */
+static float3 sample_image(const image_list* images, uint texture, float2 uv, bool is_around)
 {
     if (texture >= images->texture_count) return (float3)(1.0f);
     const rsh_texture image = images->textures[texture];
     if (image.width == 0 || image.height == 0) return (float3)(1.0f);
-    const texel_neighbours x = neighbours(repeated(uv.x) * image.width, image.width, true);
-    const float v = repeats ? repeated(uv.y) : fmin(fmax(uv.y, 0.0f), 1.0f);
-    const texel_neighbours y = neighbours((1.0f - v) * image.height, image.height, repeats);
+    const bool in_u = is_around || image.wrap != RSH_WRAP_CLAMP;
+    const bool in_v = !is_around && image.wrap != RSH_WRAP_CLAMP;
+    const texel_neighbours x = neighbours(wrapped(uv.x, in_u) * image.width, image.width, in_u);
+    const texel_neighbours y =
+        neighbours((1.0f - wrapped(uv.y, in_v)) * image.height, image.height, in_v);
     __global const uint* texels = images->texels;
     const float3 upper = texel(image, texels, x.low, y.low) * (1.0f - x.weight) +
                          texel(image, texels, x.high, y.low) * x.weight;

@@ -22,9 +22,14 @@ double decode_srgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+int64_t wrapped(const rsh_texture& t, int64_t i, int64_t size) {
+    return t.wrap == RSH_WRAP_CLAMP ? std::clamp<int64_t>(i, 0, size - 1)
+                                    : ((i % size) + size) % size;
+}
+
 Double3 texel(const Scene& scene, const rsh_texture& t, int64_t x, int64_t y) {
-    const int64_t column = ((x % t.width) + t.width) % t.width;
-    const int64_t row = ((y % t.height) + t.height) % t.height;
+    const int64_t column = wrapped(t, x, t.width);
+    const int64_t row = wrapped(t, y, t.height);
     const uint64_t index = uint64_t(row) * t.width + uint64_t(column);
     if (t.format == RSH_TEXEL_SRGB8) {
         uint8_t c[4];

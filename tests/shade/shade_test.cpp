@@ -95,6 +95,31 @@ TEST(Shade, ReadsFloatTexturesOutsideOfTheUnitSquare) {
     expect_shaded(scene);
 }
 
+TEST(Shade, ShowsTheEdgeOfClampedTexturesOutsideOfTheUnitSquare) {
+    Scene scene = test::gallery();
+    scene.textures.push_back(scene.textures[scene.environment_texture - 1]);
+    scene.textures.back().wrap = RSH_WRAP_CLAMP;
+    scene.materials[0].texture = static_cast<cl_uint>(scene.textures.size() - 1);
+    for (auto& uv : scene.texcoords) uv = {1.7f * uv[0] - 0.5f, 2.9f * uv[1] - 1};
+    expect_shaded(scene);
+    for (auto& texture : scene.textures) texture.wrap = RSH_WRAP_CLAMP;
+    for (auto& uv : scene.texcoords) uv = {uv[0] - 7, uv[1] + 5};
+    scene.environment_texture = 0;
+    expect_shaded(scene);
+}
+
+TEST(Shade, RepeatsTheEnvironmentWhateverItsTextureSays) {
+    const Scene scene = test::gallery();
+    const Sight sight = look(scene);
+    const auto colours = [&](cl_uint wrap) {
+        Scene changed = scene;
+        changed.textures[scene.environment_texture - 1].wrap = wrap;
+        return test::shade(test::DeviceScene(changed), sight.rays, sight.hits,
+                           black(sight.rays.size()));
+    };
+    EXPECT_TRUE(test::same_bits(colours(RSH_WRAP_CLAMP), colours(RSH_WRAP_REPEAT), "colours"));
+}
+
 TEST(Shade, TakesMaterialZeroForAnIdOutOfRange) {
     Scene scene = test::plain();
     scene.material_ids.assign(scene.mesh.triangle_count(), 77);

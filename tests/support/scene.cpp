@@ -80,13 +80,15 @@ void Scene::add(const Mesh& part, uint32_t material, const std::vector<Float3>* 
 
 uint32_t Scene::add_texture(uint32_t width, uint32_t height,
                             const std::vector<uint32_t>& srgb8) {
-    textures.push_back({cl_uint(texels.size()), width, height, RSH_TEXEL_SRGB8, {}});
+    textures.push_back(
+        {cl_uint(texels.size()), width, height, RSH_TEXEL_SRGB8, RSH_WRAP_REPEAT, {}});
     texels.insert(texels.end(), srgb8.begin(), srgb8.end());
     return uint32_t(textures.size()) - 1;
 }
 
 uint32_t Scene::add_texture(uint32_t width, uint32_t height, const std::vector<float>& rgba) {
-    textures.push_back({cl_uint(texels.size()), width, height, RSH_TEXEL_FLOAT32, {}});
+    textures.push_back(
+        {cl_uint(texels.size()), width, height, RSH_TEXEL_FLOAT32, RSH_WRAP_REPEAT, {}});
     for (const float value : rgba) {
         uint32_t word;
         std::memcpy(&word, &value, 4);

@@ -11,7 +11,8 @@
 // So the number of the illumination model never makes transparent what d calls opaque, nor does Tf
 // alone: many exporters write both beside every material. d wins over Tr where a file has both.
 //
-// Options of map_Kd: -s and -o scale and shift texture coordinates, to s * uv + o. Those that would change the picture otherwise are
+// Options of map_Kd: -s and -o scale and shift texture coordinates, to s * uv + o; -clamp on shows
+// the edge of the picture outside of 0..1. Those that would change the picture otherwise are
 // warned of, as are numbers that are none. Other maps and terms are ignored.
 #pragma once
 

@@ -10,8 +10,9 @@
 
 namespace render {
 
-uint32_t TextureSet::add(const std::string& path) {
-    if (const auto found = index_of_.find(path); found != index_of_.end()) return found->second;
+uint32_t TextureSet::add(const std::string& path, bool clamps) {
+    if (const auto found = index_of_.find({path, clamps}); found != index_of_.end())
+        return found->second;
     const Image image = load_image(path, max_pixels_);
     const bool is_bytes = image.format == RSH_TEXEL_SRGB8;
     const size_t words = is_bytes ? image.bytes.size() / 4 : image.floats.size();
@@ -23,10 +24,14 @@ uint32_t TextureSet::add(const std::string& path) {
     const void* source = is_bytes ? static_cast<const void*>(image.bytes.data())
                                   : static_cast<const void*>(image.floats.data());
     std::memcpy(&texels_[first], source, 4 * words);
-    textures_.push_back(
-        {static_cast<uint32_t>(first), image.width, image.height, image.format, {}});
+    textures_.push_back({static_cast<uint32_t>(first),
+                         image.width,
+                         image.height,
+                         image.format,
+                         clamps ? RSH_WRAP_CLAMP : RSH_WRAP_REPEAT,
+                         {}});
     const auto index = static_cast<uint32_t>(textures_.size() - 1);
-    index_of_[path] = index;
+    index_of_[{path, clamps}] = index;
     return index;
 }
 

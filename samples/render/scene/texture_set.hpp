@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rsh/rsh_types.h>
@@ -14,15 +15,16 @@ public:
     // Images of more pixels are refused.
     explicit TextureSet(size_t max_pixels) : max_pixels_(max_pixels) {}
 
-    // Index of the image in the file; throws when it cannot be read.
-    uint32_t add(const std::string& path);
+    // Index of the image in the file; throws when it cannot be read. One that is wanted both
+    // repeating and clamped is two textures.
+    uint32_t add(const std::string& path, bool clamps = false);
 
     const std::vector<rsh_texture>& textures() const { return textures_; }
     const std::vector<uint32_t>& texels() const { return texels_; }
 
 private:
     size_t max_pixels_;
-    std::map<std::string, uint32_t> index_of_;
+    std::map<std::pair<std::string, bool>, uint32_t> index_of_;
     std::vector<rsh_texture> textures_;
     std::vector<uint32_t> texels_;  // words of 4 bytes, whatever the format
 };
