@@ -10,6 +10,7 @@
 #include "files/text_scan.hpp"
 #include "import/mesh_formats.hpp"
 #include "import/mtl_file.hpp"
+#include "model/warnings.hpp"
 
 namespace render {
 namespace {
@@ -109,7 +110,9 @@ NumberedModel load_numbered_mesh(const std::string& path) {
     add_materials(parsed, asset.location, result.model);
     map_texcoords(result.model.materials, parsed.soup);
     const Soup& soup = parsed.soup;
-    if (soup.positions.empty()) throw LoadError(asset.location + ": holds no vertex");
+    if (soup.positions.empty())
+        throw LoadError(
+            with_warnings(asset.location + ": holds no vertex", result.model.warnings));
     if (soup.ends.empty())
         result.model.warnings.push_back(asset.location + ": holds no face, only " +
                                         std::to_string(soup.positions.size()) + " vertices");

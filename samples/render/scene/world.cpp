@@ -9,6 +9,7 @@
 
 #include "model/inspect.hpp"
 #include "model/view_fit.hpp"
+#include "model/warnings.hpp"
 #include "scene/device_structs.hpp"
 
 namespace render {
@@ -30,8 +31,17 @@ void append_or_zero(std::vector<T>& all, const std::vector<T>& some, size_t befo
 
 World::World(const SceneDescription& scene, size_t max_texture_pixels)
     : scene_(scene), textures_(max_texture_pixels) {
-    for (const MeshEntry& entry : scene.meshes) parts_.emplace_back(entry);
-    for (Part& part : parts_) {
+    try {
+        load();
+    } catch (const std::exception& error) {
+        throw std::runtime_error(with_warnings(error.what(), warnings_));
+    }
+}
+
+void World::load() {
+    parts_.reserve(scene_.meshes.size());  // models_ point into them
+    for (const MeshEntry& entry : scene_.meshes) {
+        Part& part = parts_.emplace_back(entry);
         first_vertices_.push_back(mesh_.positions.size());
         first_triangles_.push_back(mesh_.triangles.size());
         models_.push_back(&part.at(0.0));
@@ -39,13 +49,25 @@ World::World(const SceneDescription& scene, size_t max_texture_pixels)
     }
     if (mesh_.triangles.empty())
         throw std::runtime_error("the scene has no triangle; at least one is required");
-    choose_environment(scene);
+    choose_environment(scene_);
     choose_lights_and_camera();
 }
 
+// A mesh on the command line is its own place, which its loader has named already.
+void World::warn(const std::vector<std::string>& warnings, const MeshEntry& entry) {
+    for (const std::string& warning : warnings)
+        warnings_.push_back(warning.rfind(entry.where, 0) == 0
+                                ? warning
+                                : fmt::format("{}: {}", entry.where, warning));
+}
+
 void World::append(const Model& model, const MeshEntry& entry) {
+    warn(model.warnings, entry);
     const size_t before = mesh_.positions.size();
     const size_t count = model.mesh.positions.size();
+    if (before + count > UINT32_MAX)
+        throw std::runtime_error(fmt::format("{}: found {} vertices in all, allowed: {}",
+                                             entry.where, before + count, UINT32_MAX));
     const glm::uvec3 offset(static_cast<uint32_t>(before));
     const auto first_material = static_cast<uint32_t>(materials_.size());
     mesh_.positions.insert(mesh_.positions.end(), model.mesh.positions.begin(),
@@ -57,9 +79,7 @@ void World::append(const Model& model, const MeshEntry& entry) {
     for (const uint32_t id : model.mesh.material_ids)
         mesh_.material_ids.push_back(id + first_material);
     append_materials(model, entry);
-    for (const auto& warnings : {model.warnings, glass_warnings(model)})
-        for (const std::string& warning : warnings)
-            warnings_.push_back(fmt::format("{}: {}", entry.where, warning));
+    warn(glass_warnings(model), entry);
 }
 
 // A texture that the scene file names must be readable; one that a mesh names may be missing.

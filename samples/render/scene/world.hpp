@@ -18,7 +18,7 @@ struct VertexRange {
 
 class World {
 public:
-    // Reads all files; throws std::runtime_error.
+    // Reads all files; throws std::runtime_error, with the warnings until then.
     explicit World(const SceneDescription& scene,
                    size_t max_texture_pixels = kMaxTexturePixels);
 
@@ -42,6 +42,8 @@ public:
     const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
+    void load();
+    void warn(const std::vector<std::string>& warnings, const MeshEntry& entry);
     void append(const Model& model, const MeshEntry& entry);
     void append_materials(const Model& model, const MeshEntry& entry);
     void overwrite(size_t part);

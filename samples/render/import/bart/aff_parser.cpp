@@ -13,6 +13,7 @@
 #include "import/bart/aff_shapes.hpp"
 #include "import/bart/aff_tokens.hpp"
 #include "model/polygon.hpp"
+#include "model/warnings.hpp"
 
 namespace render {
 namespace {
@@ -22,6 +23,16 @@ public:
     explicit AffParser(const std::string& path) : tokens_(path) {}
 
     AffScene parse() {
+        try {
+            read();
+        } catch (const LoadError& error) {
+            throw LoadError(with_warnings(error.what(), scene_.warnings));
+        }
+        return std::move(scene_);
+    }
+
+private:
+    void read() {
         for (std::string word = tokens_.next(); !word.empty(); word = tokens_.next()) run(word);
         if (!open_.empty())
             tokens_.fail("ends with " + std::to_string(open_.size()) +
@@ -29,10 +40,8 @@ public:
         for (const std::string& texture : textures_)
             scene_.warnings.push_back("texture " + texture + " is ignored");
         if (scene_.materials.empty()) scene_.materials.push_back({});
-        return std::move(scene_);
     }
 
-private:
     using Command = void (AffParser::*)();
 
     void run(const std::string& word) {
