@@ -183,7 +183,8 @@ RSH_API void rsh_release_context(rsh_context context);
 
 /* Picks a device, for programs that have no context of their own: the first whose name, or
  * whose platform's, contains `name`; with NULL, RSH_DEVICE from the environment; without that,
- * the first device of the first platform that has one. Errors: RSH_NO_DEVICE. */
+ * the first device of the first platform that has one. Errors: RSH_NO_DEVICE; the text tells what
+ * there is, and of PoCL without a device, which variable of the environment names its cache. */
 RSH_API rsh_status rsh_find_device(const char* name, cl_platform_id* platform,
                                    cl_device_id* device);
 

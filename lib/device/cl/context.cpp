@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "device/error.hpp"
+#include "device/no_device.hpp"
 
 namespace rsh {
 namespace {
@@ -75,16 +76,18 @@ Context::Context(const rsh_context_desc& desc)
 cl_device_id find_device(const char* name) {
     if (!name) name = std::getenv("RSH_DEVICE");
     const std::string wanted = name ? name : "";
-    std::string seen;
-    for (const cl_platform_id platform : all_platforms())
+    std::string seen, platforms;
+    for (const cl_platform_id platform : all_platforms()) {
+        const std::string platform_name = info_text(platform, CL_PLATFORM_NAME);
+        platforms += (platforms.empty() ? "" : ", ") + platform_name;
         for (const cl_device_id device : devices_of(platform)) {
-            const std::string label = info_text(platform, CL_PLATFORM_NAME) + ": " +
-                                      info_text(device, CL_DEVICE_NAME);
+            const std::string label = platform_name + ": " + info_text(device, CL_DEVICE_NAME);
             if (label.find(wanted) != std::string::npos) return device;
             seen += (seen.empty() ? "" : ", ") + label;
         }
-    throw Error(RSH_NO_DEVICE, "name: no device contains \"", wanted,
-                "\"; there are: ", seen.empty() ? "none" : seen);
+    }
+    if (seen.empty()) throw Error(RSH_NO_DEVICE, no_device_text(platforms));
+    throw Error(RSH_NO_DEVICE, "name: no device contains \"", wanted, "\"; there are: ", seen);
 }
 
 }  // namespace rsh

@@ -22,8 +22,8 @@ struct Ended {
     std::string printed;  // on both streams
 };
 
-Ended run(const std::string& arguments) {
-    const std::string command = "'" RSH_RENDER "' " + arguments + " 2>&1";
+Ended run(const std::string& arguments, const std::string& environment = "") {
+    const std::string command = environment + " '" RSH_RENDER "' " + arguments + " 2>&1";
     Ended ended;
     FILE* pipe = popen(command.c_str(), "r");
     std::array<char, 4096> block;
@@ -128,6 +128,25 @@ TEST_F(RshRender, FailsWhenAnOutputCannotBeWritten) {
     expect_error("--out " + path("full.png"), {"full.png", "No space"});
 }
 
+// Nobody may write to /proc, not even root.
+TEST_F(RshRender, SaysThatPoclNeedsAFolderForItsCache) {
+    for (const std::string variable : {"HOME", "XDG_CACHE_HOME", "POCL_CACHE_DIR"}) {
+        const std::string environment =
+            "env -u XDG_CACHE_HOME -u POCL_CACHE_DIR " + variable + "=/proc/none ";
+        if (run("--list-devices", environment).status == 0)
+            GTEST_SKIP() << "there is a device other than PoCL's";
+        for (const std::string& arguments :
+             {std::string("--list-devices"), scene() + "--stats"}) {
+            const Ended ended = run(arguments, environment);
+            EXPECT_EQ(ended.status, 1) << environment << arguments;
+            for (const char* part :
+                 {"no OpenCL device", "PoCL", variable.c_str(), "/proc/none"})
+                EXPECT_NE(ended.printed.find(part), std::string::npos)
+                    << environment << arguments << ": " << ended.printed;
+        }
+    }
+}
+
 TEST_F(RshRender, EndsBySignalsWithTheOldPicture) {
     const std::string picture = folder_.write("a.png", "old");
     const std::string file =
@@ -135,8 +154,8 @@ TEST_F(RshRender, EndsBySignalsWithTheOldPicture) {
     for (const int signal : {SIGTERM, SIGINT}) {
         const pid_t child = fork();
         if (child == 0) {
-            execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "2048x2048", "--frames",
-                  "1000", "--out", picture.c_str(), static_cast<char*>(nullptr));
+            execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "512x512", "--frames", "1000",
+                  "--out", picture.c_str(), static_cast<char*>(nullptr));
             _exit(127);
         }
         wait_until_caught(child, signal);
