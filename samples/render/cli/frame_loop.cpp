@@ -65,29 +65,36 @@ RunReport begin_report(const Device& device, const World& world,
     return report;
 }
 
-// What is measured must not contain compiling. Two frames go before: the first makes the bounds,
-// and the second one refits them, by kernels that a driver compiles when they are first launched.
-void warm_up(Renderer& renderer, double time, RunReport& report) {
-    const FrameMeasure first = renderer.render(time, nullptr, nullptr);
-    report.first_frame_ms = first.total_ms;
-    report.programs_built = first.statistics.programs_built;
-    report.programs_loaded = first.statistics.programs_loaded;
-    renderer.render(time, nullptr, nullptr);
-}
-
-// A frame that the progress bar has cancelled was cancelled by a signal.
-FrameMeasure render_or_stop(Renderer& renderer, double time, ProgressBar& progress) try {
-    const FrameMeasure measure = renderer.render(time, &ProgressBar::begin_wave, &progress);
+// Runs a call of the renderer. One that the progress bar cancels was cancelled by a signal.
+template <typename Call>
+auto run_or_stop(const Call& call) try {
+    const auto result = call();
     stop_if_interrupted();
-    return measure;
+    return result;
 } catch (const std::runtime_error&) {
     stop_if_interrupted();
     throw;
 }
 
+FrameMeasure render(Renderer& renderer, double time, ProgressBar& progress) {
+    return run_or_stop(
+        [&] { return renderer.render(time, &ProgressBar::begin_wave, &progress); });
+}
+
+// What is measured must not contain compiling. Two frames go before: the first makes the bounds,
+// and the second one refits them, by kernels that a driver compiles when they are first launched.
+void warm_up(Renderer& renderer, double time, ProgressBar& progress, RunReport& report) {
+    const FrameMeasure first = render(renderer, time, progress);
+    report.first_frame_ms = first.total_ms;
+    report.programs_built = first.statistics.programs_built;
+    report.programs_loaded = first.statistics.programs_loaded;
+    render(renderer, time, progress);
+}
+
 // Whether the last frame's hits are those of brute force.
-bool check(Renderer& renderer, uint32_t ray_step) {
-    const rsh_audit_report report = renderer.audit(ray_step);
+bool check(Renderer& renderer, uint32_t ray_step, ProgressBar& progress) {
+    const rsh_audit_report report = run_or_stop(
+        [&] { return renderer.audit(ray_step, &ProgressBar::begin_wave, &progress); });
     fmt::print("{} of {} hits differ\n", report.differences, report.rays);
     if (report.differences > 0) fmt::print("first: ray {} of its wave\n", report.first_ray);
     return report.differences == 0;
@@ -118,19 +125,19 @@ int run(const Options& options) {
     Renderer renderer(device, world, settings);
     RunReport report = begin_report(device, world, settings);
     report.load_ms = load_ms;
-    if (settings.counts) warm_up(renderer, times[0], report);
+    ProgressBar progress(count);
+    if (settings.counts) warm_up(renderer, times[0], progress, report);
 
     bool is_exact = true;
-    ProgressBar progress(count);
     for (int i = 0; i < count; ++i) {
         progress.begin_frame(i);
-        report.frames.push_back(render_or_stop(renderer, times[i], progress));
+        report.frames.push_back(render(renderer, times[i], progress));
         if (options.out) {
             const std::string path = frame_path(*options.out, i, count);
             write_output(path, encode_image(renderer.frame(), path));
         }
         if (i < options.checked_frames)
-            is_exact = check(renderer, options.check_ray_step) && is_exact;
+            is_exact = check(renderer, options.check_ray_step, progress) && is_exact;
     }
     write_reports(report, options);
     return is_exact ? 0 : 1;

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cfloat>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <stdexcept>
@@ -34,6 +37,15 @@ CLI::callback_t size_option(std::optional<glm::uvec2>& size) {
     };
 }
 
+// "nan" is a number for the parser and lies in every range.
+CLI::Validator a_number() {
+    const auto check = [](const std::string& word) {
+        return std::isnan(std::strtod(word.c_str(), nullptr)) ? "found nan, allowed: a number"
+                                                              : std::string();
+    };
+    return CLI::Validator(check, "");
+}
+
 // "64M"; without the second check "-1" would be the largest number there is.
 void add_size(CLI::App& app, const char* name, uint64_t& value, const char* text) {
     const auto not_negative = [](std::string& word) {
@@ -49,12 +61,16 @@ void add_picture_options(CLI::App& app, Options& o) {
     app.add_option("--out", o.out, "Picture: .png (sRGB) or .exr (linear); may hold %04d");
     auto* frames = app.add_option("--frames", o.frames, "Frames over the scene's time span");
     frames->check(CLI::Range(1, 1000000));
-    app.add_option("--time", o.time, "Render the one frame at this time [s]")->excludes(frames);
+    app.add_option("--time", o.time, "Render the one frame at this time [s]")
+        ->check(CLI::Range(-DBL_MAX, DBL_MAX))
+        ->check(a_number())
+        ->excludes(frames);
     app.add_option("--size", size_option(o.size), "Pixels, e.g. 640x480");
     app.add_option("--bounces", o.bounces, "Longest chain of secondary rays")
         ->check(CLI::Range(0, RSH_MAX_LEVELS));
     app.add_option("--min-weight", o.min_weight, "Leave out rays that weigh no more")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(CLI::Range(0.0, 1.0))
+        ->check(a_number());
     const auto leave_out = [&o](rsh_features feature) {
         return [&o, feature](int64_t) { o.without |= feature; };
     };

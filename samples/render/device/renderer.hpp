@@ -36,7 +36,7 @@ public:
     const Frame& frame() const { return frame_; }  // of the last render
 
     // Renders the last frame once more and audits one of every `ray_step` rays of each wave.
-    rsh_audit_report audit(uint32_t ray_step);
+    rsh_audit_report audit(uint32_t ray_step, rsh_progress progress, void* user);
 
 private:
     rsh_frame_desc frame_desc() const;

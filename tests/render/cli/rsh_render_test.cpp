@@ -88,6 +88,21 @@ TEST_F(RshRender, IsContentWithAnyOneOutput) {
 }
 
 // No folder of scenes is searched and no device is opened before: the scene need not be there.
+TEST_F(RshRender, RefusesNumbersThatDoNotFitTheirOption) {
+    for (const std::string wrong :
+         {"--min-weight nan", "--min-weight 1.5", "--time nan", "--time inf", "--time -inf",
+          "--time 1e999", "--frames 1e9", "--frames -1", "--frames 2.5", "--bounces -1",
+          "--bounces 1e99", "--budget -1", "--max-texture-pixels -1",
+          "--max-texture-pixels 1e99", "--size 1e99x4", "--size -4x4", "--check-rays 0",
+          "--check -1"}) {
+        const Ended ended = run("none.json --stats " + wrong);
+        EXPECT_GT(ended.status, 100) << wrong << ": " << ended.printed;
+        EXPECT_LT(ended.status, 128) << wrong << ": " << ended.printed;
+        EXPECT_NE(ended.printed.find(wrong.substr(0, wrong.find(' '))), std::string::npos)
+            << wrong << ": " << ended.printed;
+    }
+}
+
 TEST_F(RshRender, ChecksItsOutputsFirst) {
     folder_.write("folder/x", "");
     const auto wrong = [&](const std::string& option,
@@ -144,6 +159,26 @@ TEST_F(RshRender, SaysThatPoclNeedsAFolderForItsCache) {
                 EXPECT_NE(ended.printed.find(part), std::string::npos)
                     << environment << arguments << ": " << ended.printed;
         }
+    }
+}
+
+TEST_F(RshRender, EndsBySignalsWhileItMeasuresAndChecks) {
+    const std::string file = folder_.write(
+        "big.json", R"({"meshes": [{"generator": "room", "triangles": 50000}]})");
+    for (const char* output : {"--stats", "--check=1"}) {
+        const pid_t child = fork();
+        if (child == 0) {
+            execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "2048x2048", "--bounces",
+                  "16", output, static_cast<char*>(nullptr));
+            _exit(127);
+        }
+        wait_until_caught(child, SIGTERM);
+        std::this_thread::sleep_for(std::chrono::seconds(1));  // until it renders, or nearly
+        kill(child, SIGTERM);
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFEXITED(status)) << output << " ended by signal " << WTERMSIG(status);
+        EXPECT_EQ(WEXITSTATUS(status), 128 + SIGTERM) << output;
     }
 }
 
