@@ -163,13 +163,13 @@ TEST_F(RshRender, SaysThatPoclNeedsAFolderForItsCache) {
 }
 
 TEST_F(RshRender, EndsBySignalsWhileItMeasuresAndChecks) {
-    const std::string file = folder_.write(
-        "big.json", R"({"meshes": [{"generator": "room", "triangles": 50000}]})");
-    for (const char* output : {"--stats", "--check=1"}) {
+    const std::string file =
+        folder_.write("big.json", R"({"meshes": [{"generator": "room", "triangles": 20000}]})");
+    for (const char* output : {"--stats", "--check=10000"}) {
         const pid_t child = fork();
         if (child == 0) {
-            execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "2048x2048", "--bounces",
-                  "16", output, static_cast<char*>(nullptr));
+            execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "256x256", "--frames",
+                  "10000", output, static_cast<char*>(nullptr));
             _exit(127);
         }
         wait_until_caught(child, SIGTERM);
