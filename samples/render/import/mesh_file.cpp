@@ -2,6 +2,7 @@
 #include "import/mesh_file.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <map>
 #include <set>
 
@@ -31,12 +32,17 @@ std::string format_of(const Asset& asset) {
     return guess_format(asset.bytes, asset.location);
 }
 
-ParsedMesh parse(const Asset& asset) {
+void parse(const Asset& asset, ParsedMesh& parsed) {
     const std::string format = format_of(asset);
-    if (format == "stl") return read_stl(asset.bytes, asset.location);
-    if (format == "ply") return read_ply(asset.bytes, asset.location);
-    if (format == "off") return read_off(asset.bytes, asset.location);
-    return read_obj(asset.bytes, asset.location);
+    const auto read = format == "stl"   ? read_stl
+                      : format == "ply" ? read_ply
+                      : format == "off" ? read_off
+                                        : read_obj;
+    try {
+        read(asset.bytes, asset.location, parsed);
+    } catch (const LoadError& error) {
+        throw LoadError(with_warnings(error.what(), parsed.warnings));
+    }
 }
 
 std::map<std::string, Material> read_material_files(const ParsedMesh& parsed,
@@ -100,16 +106,29 @@ void map_texcoords(const std::vector<Material>& materials, Soup& soup) {
     }
 }
 
+// Their triangles are kept, but no ray hits them.
+void warn_of_infinite(const Soup& soup, const std::string& location,
+                      std::vector<std::string>& warnings) {
+    size_t count = 0;
+    for (const glm::dvec3& p : soup.positions)
+        count += !(glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(FLT_MAX))));
+    if (count > 0)
+        warnings.push_back(location + ": " + std::to_string(count) +
+                           " vertices have a coordinate that is no number or beyond floats");
+}
+
 }  // namespace
 
 NumberedModel load_numbered_mesh(const std::string& path) {
     const Asset asset = read_asset(path);
-    ParsedMesh parsed = parse(asset);
+    ParsedMesh parsed;
+    parse(asset, parsed);
     NumberedModel result;
     result.model.warnings = parsed.warnings;
     add_materials(parsed, asset.location, result.model);
     map_texcoords(result.model.materials, parsed.soup);
     const Soup& soup = parsed.soup;
+    warn_of_infinite(soup, asset.location, result.model.warnings);
     if (soup.positions.empty())
         throw LoadError(
             with_warnings(asset.location + ": holds no vertex", result.model.warnings));

@@ -1,6 +1,6 @@
 // mesh_formats.hpp - one reader for each format of mesh files. `name` starts every message. All
 // throw LoadError: for what is no number, for a file that ends early, and for a header that promises
-// more than the file can hold.
+// more than the file can hold. The warnings until then stay in `parsed`, which is empty before.
 #pragma once
 
 #include <string>
@@ -20,16 +20,16 @@ struct ParsedMesh {
 };
 
 // Wavefront OBJ, through tinyobjloader. Ignores groups, lines, points and free-form surfaces.
-ParsedMesh read_obj(const std::string& bytes, const std::string& name);
+void read_obj(const std::string& bytes, const std::string& name, ParsedMesh& parsed);
 
 // Geomview OFF. Text and binary; ignores colours and other attributes, refuses other dimensions
 // than three.
-ParsedMesh read_off(const std::string& bytes, const std::string& name);
+void read_off(const std::string& bytes, const std::string& name, ParsedMesh& parsed);
 
 // PLY, with triangle strips, normals and texture coordinates. Ignores other properties and elements.
-ParsedMesh read_ply(const std::string& bytes, const std::string& name);
+void read_ply(const std::string& bytes, const std::string& name, ParsedMesh& parsed);
 
 // STL, text and binary. Merges vertices that are equal bit for bit, so that every triangle stays.
-ParsedMesh read_stl(const std::string& bytes, const std::string& name);
+void read_stl(const std::string& bytes, const std::string& name, ParsedMesh& parsed);
 
 }  // namespace render

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,10 +23,12 @@ using tinyobj::real_t;
 
 class ObjReader {
 public:
-    ObjReader(const std::string& bytes, const std::string& name)
-        : feed_(bytes, [this](std::string& line) { edit(line); }), name_(name) {}
+    ObjReader(const std::string& bytes, const std::string& name, ParsedMesh& parsed)
+        : feed_(bytes, [this](std::string& line) { edit(line); }),
+          name_(name),
+          parsed_(parsed) {}
 
-    ParsedMesh read() {
+    void read() {
         std::istream stream(&feed_);
         stream.exceptions(std::ios::badbit);  // passes on what the feed throws
         tinyobj::LoadObjWithCallback(stream, callbacks(), this);
@@ -35,7 +38,6 @@ public:
             parsed_.warnings.push_back(
                 name_ + ": " + std::to_string(absent_) +
                 " corners refer to a normal or texture coordinate out of range");
-        return std::move(parsed_);
     }
 
 private:
@@ -61,14 +63,37 @@ private:
         return c;
     }
 
-    // tinyobjloader takes blanks for the ends of material files' names, and does not know the old
-    // spelling of f.
+    // tinyobjloader takes blanks for the ends of material files' names, knows neither capitals nor
+    // the old spelling of f, and skips what it does not know.
     void edit(std::string& line) {
         std::string_view rest = line;
         const std::string_view keyword = take_token(rest);
-        if (keyword == "mtllib" && known_files_.emplace(trimmed(rest)).second)
+        if (keyword.empty() || keyword[0] == '#') return;
+        std::string lower = lower_case(keyword);
+        if (lower == "fo") lower = "f";
+        if (lower == "mtllib" && known_files_.emplace(trimmed(rest)).second)
             parsed_.material_files.emplace_back(trimmed(rest));
-        if (keyword == "fo") line = "f" + std::string(rest);
+        if (!is_known(lower)) warn_of(std::string(keyword));
+        if (lower != keyword) line = lower + std::string(rest);
+    }
+
+    static bool is_known(const std::string& keyword) {
+        static const std::set<std::string> known{
+            "v",      "vt",       "vn",       "f",      "usemtl", "mtllib",     "g",
+            "o",      "s",        "l",        "p",      "mg",     "vp",         "deg",
+            "bmat",   "step",     "cstype",   "parm",   "trim",   "hole",       "scrv",
+            "sp",     "end",      "con",      "bevel",  "lod",    "shadow_obj", "trace_obj",
+            "ctech",  "stech",    "c_interp", "usemap", "maplib", "d_interp",   "group",
+            "object", "material", "call",     "csh"};
+        return known.count(keyword) > 0;
+    }
+
+    // Once for each: free-form curves and surfaces, and what may be a v behind odd bytes.
+    void warn_of(const std::string& keyword) {
+        constexpr size_t kMost = 10;
+        if (unknown_.size() == kMost || !unknown_.insert(keyword).second) return;
+        parsed_.warnings.push_back(name_ + ", line " + std::to_string(feed_.number()) + ": '" +
+                                   keyword.substr(0, 40) + "' is ignored");
     }
 
     // Bent shading is better than none.
@@ -108,20 +133,51 @@ private:
         parsed_.soup.positions.emplace_back(position);
     }
 
-    // The corners in front of a comment.
-    int checked_count(const index_t* corners, int count) const {
+    // The next index of a corner, before the next slash. 0: absent. What does not fit into an int is
+    // out of range too.
+    int take_index(std::string_view& corner, std::string_view word) const {
+        const std::string_view text = corner.substr(0, corner.find('/'));
+        corner.remove_prefix(std::min(text.size() + 1, corner.size()));
+        if (text.empty()) return 0;
+        const double index = parse_number(text).value_or(0.5);
+        if (index != std::floor(index))
+            fail("a face needs corners like 1, 1/2, 1//3 or 1/2/3, but has", word);
+        constexpr double kMost = std::numeric_limits<int>::max();
+        return static_cast<int>(std::clamp(index, -kMost, kMost));
+    }
+
+    static bool has_long_number(std::string_view text) {
+        constexpr size_t kDigits = 9;  // which always fit into an int
+        size_t digits = 0;
+        for (const char c : text) {
+            digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+            if (digits > kDigits) return true;
+        }
+        return false;
+    }
+
+    // The corners in front of a comment, read once more where tinyobjloader may be wrong.
+    std::vector<index_t> checked(const index_t* first, int count) const {
+        std::vector<index_t> corners(first, first + count);
         std::string_view rest = words();
         const auto is_zero = [](const index_t& c) { return c.vertex_index == 0; };
-        if (std::none_of(corners, corners + count, is_zero) &&
-            !has_others_than(rest, "0123456789-/"))
-            return count;
-        for (int i = 0; i < count; ++i) {
+        if (std::none_of(corners.begin(), corners.end(), is_zero) &&
+            !has_others_than(rest, "0123456789-/") && !has_long_number(rest))
+            return corners;
+        for (size_t i = 0; i < corners.size(); ++i) {
             const std::string_view word = take_token(rest);
-            if (word.substr(0, 1) == "#") return i;
-            if (!parse_integer(word.substr(0, word.find('/'))))
+            if (word.empty() || word[0] == '#') {
+                corners.resize(i);
+                break;
+            }
+            std::string_view corner = word;
+            if (corner[0] == '/')
                 fail("a face needs corners like 1, 1/2, 1//3 or 1/2/3, but has", word);
+            corners[i].vertex_index = take_index(corner, word);
+            corners[i].texcoord_index = take_index(corner, word);
+            corners[i].normal_index = take_index(corner, word);
         }
-        return count;
+        return corners;
     }
 
     // From 1; a negative index counts back from the line that it stands in.
@@ -129,10 +185,8 @@ private:
         return index < 0 ? static_cast<int>(count) + index + 1 : index;
     }
 
-    void add_face(const index_t* corners, int count) {
-        count = checked_count(corners, count);
-        for (int i = 0; i < count; ++i) {
-            index_t c = corners[i];
+    void add_face(const index_t* first, int count) {
+        for (index_t c : checked(first, count)) {
             c.vertex_index = absolute(c.vertex_index, parsed_.soup.positions.size());
             c.normal_index = absolute(c.normal_index, normals_.size());
             c.texcoord_index = absolute(c.texcoord_index, texcoords_.size());
@@ -177,21 +231,21 @@ private:
 
     LineFeed feed_;
     const std::string name_;
-    ParsedMesh parsed_;
+    ParsedMesh& parsed_;
     std::vector<glm::vec3> normals_;
     std::vector<glm::vec2> texcoords_;
     std::vector<index_t> corners_;  // indices from 1; 0: absent
     std::map<std::string, uint32_t> known_materials_;
-    std::set<std::string> known_files_;
+    std::set<std::string> known_files_, unknown_;
     uint32_t material_ = kNoMaterial;
     size_t absent_ = 0;
 };
 
 }  // namespace
 
-ParsedMesh read_obj(const std::string& bytes, const std::string& name) {
+void read_obj(const std::string& bytes, const std::string& name, ParsedMesh& parsed) {
     require_text(bytes, name);
-    return ObjReader(bytes, name).read();
+    ObjReader(bytes, name, parsed).read();
 }
 
 }  // namespace render

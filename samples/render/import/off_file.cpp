@@ -12,10 +12,10 @@ namespace {
 
 class OffReader {
 public:
-    OffReader(const std::string& bytes, const std::string& name)
-        : bytes_(bytes.size()), rest_(without_mark(bytes)), name_(name) {}
+    OffReader(const std::string& bytes, const std::string& name, ParsedMesh& parsed)
+        : bytes_(bytes.size()), rest_(without_mark(bytes)), name_(name), parsed_(parsed) {}
 
-    ParsedMesh read() {
+    void read() {
         require_text(rest_.substr(0, 3), name_);
         if (read_header()) {
             parsed_.soup = read_off_binary(rest_, keyword_, name_);
@@ -24,7 +24,6 @@ public:
             read_text();
         }
         drop_bad_polygons(parsed_.soup, name_, parsed_.warnings);
-        return std::move(parsed_);
     }
 
 private:
@@ -184,13 +183,13 @@ private:
     size_t vertices_ = 0, faces_ = 0;
     OffKeyword keyword_;
     bool has_lines_of_more_ = false;
-    ParsedMesh parsed_;
+    ParsedMesh& parsed_;
 };
 
 }  // namespace
 
-ParsedMesh read_off(const std::string& bytes, const std::string& name) {
-    return OffReader(bytes, name).read();
+void read_off(const std::string& bytes, const std::string& name, ParsedMesh& parsed) {
+    OffReader(bytes, name, parsed).read();
 }
 
 }  // namespace render

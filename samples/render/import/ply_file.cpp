@@ -30,10 +30,13 @@ int slot_of(const PlyProperty& property) {
 
 class PlyReader {
 public:
-    PlyReader(const std::string& bytes, const std::string& name)
-        : header_(read_ply_header(bytes, name)), values_(bytes, header_, name), name_(name) {}
+    PlyReader(const std::string& bytes, const std::string& name, ParsedMesh& parsed)
+        : header_(read_ply_header(bytes, name)),
+          values_(bytes, header_, name),
+          name_(name),
+          parsed_(parsed) {}
 
-    ParsedMesh read() {
+    void read() {
         parsed_.texture = header_.texture;
         const auto& elements = header_.elements;
         const auto last = std::find_if(elements.rbegin(), elements.rend(), is_used);
@@ -41,7 +44,6 @@ public:
         for (auto element = elements.begin(); element != last.base(); ++element) read(*element);
         if (soup_.corners_have_texcoords) give_normals_to_corners();
         drop_bad_polygons(soup_, name_, parsed_.warnings);
-        return std::move(parsed_);
     }
 
 private:
@@ -177,14 +179,14 @@ private:
     const PlyHeader header_;
     PlyValues values_;
     const std::string name_;
-    ParsedMesh parsed_;
+    ParsedMesh& parsed_;
     Soup& soup_ = parsed_.soup;
 };
 
 }  // namespace
 
-ParsedMesh read_ply(const std::string& bytes, const std::string& name) {
-    return PlyReader(bytes, name).read();
+void read_ply(const std::string& bytes, const std::string& name, ParsedMesh& parsed) {
+    PlyReader(bytes, name, parsed).read();
 }
 
 }  // namespace render

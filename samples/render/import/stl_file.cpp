@@ -94,8 +94,7 @@ Corners read_corners(const std::string& bytes, ParsedMesh& parsed, const std::st
 
 }  // namespace
 
-ParsedMesh read_stl(const std::string& bytes, const std::string& name) {
-    ParsedMesh parsed;
+void read_stl(const std::string& bytes, const std::string& name, ParsedMesh& parsed) {
     Soup& soup = parsed.soup;
     Weld weld;
     for (const glm::vec3& position : read_corners(bytes, parsed, name)) {
@@ -103,7 +102,6 @@ ParsedMesh read_stl(const std::string& bytes, const std::string& name) {
         if (soup.corners.size() % 3 == 0) soup.ends.push_back(soup.corners.size());
     }
     soup.positions.assign(weld.positions().begin(), weld.positions().end());
-    return parsed;
 }
 
 }  // namespace render

@@ -153,5 +153,73 @@ TEST(ObjFile, FacesMayStandInFrontOfWhatTheyReferTo) {
     EXPECT_EQ(mesh.normals.at(2), glm::vec3(0, 0, 1));
 }
 
+TEST(ObjFile, IndicesBeyondAnIntAreOutOfRange) {
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+    for (const char* corner :
+         {"4294967297", "2147483648", "-4294967295", "18446744073709551617",
+          "99999999999999999999999999", "1e10", "4", "0"}) {
+        const Model model = load_text(vertices + "f 1 2 " + corner + "\nf 1 2 3\n");
+        EXPECT_EQ(model.mesh.triangles, (std::vector<glm::uvec3>{{0, 1, 2}})) << corner;
+        ASSERT_EQ(model.warnings.size(), 1u) << corner;
+        EXPECT_NE(model.warnings[0].find("1 faces with an index out of range"),
+                  std::string::npos)
+            << model.warnings[0];
+    }
+    const Model model = load_text(vertices + "f 1//4294967297 2//1 3//0000000001\n");
+    EXPECT_EQ(model.mesh.normals, (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}}));
+    ASSERT_EQ(model.warnings.size(), 1u);
+    EXPECT_NE(model.warnings[0].find("1 corners refer to a normal"), std::string::npos);
+}
+
+TEST(ObjFile, CoordinatesThatAreNoFloatsAreWarnedOf) {
+    for (const char* number : {"1e400", "-1e400", "1e39", "nan", "-inf", "1e99999999999"}) {
+        const Model model = load_text("v 0 0 0\nv 1 0 0\nv 0 1 " + std::string(number) +
+                                      "\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
+        EXPECT_EQ(model.mesh.triangles.size(), 2u) << number;
+        EXPECT_EQ(model.mesh.positions[3], glm::vec3(0, 1, 0)) << number;
+        ASSERT_EQ(model.warnings.size(), 1u) << number;
+        EXPECT_NE(model.warnings[0].find("1 vertices have a coordinate that is no number"),
+                  std::string::npos)
+            << model.warnings[0];
+    }
+}
+
+TEST(ObjFile, KeywordsMayBeCapitals) {
+    const TemporaryFolder folder;
+    folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
+    const Model model = load_mesh(folder.write(
+        "a.obj",
+        "MTLLIB a.mtl\nV 0 0 0\nV 1 0 0\nV 0 1 0\nVT 0 1\nUseMtl red\nF 1/1 2/1 3/1\n"));
+    ASSERT_EQ(model.mesh.triangles.size(), 1u);
+    EXPECT_EQ(model.mesh.texcoords.at(0), glm::vec2(0, 1));
+    EXPECT_EQ(model.materials.at(0).diffuse, glm::vec3(1, 0, 0));
+    EXPECT_TRUE(model.warnings.empty());
+}
+
+TEST(ObjFile, WhatIsIgnoredIsWarnedOfOnce) {
+    const Model model = load_text(
+        "\x1bv 5 5 5\ng a\ns off\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        "surf 0 1 0 1 1\nsurf 0 1\nf 1 2 3\n");
+    ASSERT_EQ(model.warnings.size(), 2u);
+    EXPECT_NE(model.warnings[0].find("line 1: '\x1bv' is ignored"), std::string::npos);
+    EXPECT_NE(model.warnings[1].find("line 7: 'surf' is ignored"), std::string::npos);
+    std::string many;
+    for (int i = 0; i < 1000; ++i) many += "word" + std::to_string(i) + "\n";
+    EXPECT_LE(load_text(many + "v 0 0 0\n").warnings.size(), 12u);
+}
+
+TEST(ObjFile, AnErrorTellsTheWarningsBeforeIt) {
+    const TemporaryFolder folder;
+    for (const auto& [name, text] :
+         {std::pair("a.obj", "xv 1 1 1\nv 1 1\n"),
+          {"a.ply",
+           "ply\nformat ascii 1.0\nelement x 1\nproperty int a\nelement vertex 1\n"
+           "property float x\nproperty float y\nproperty float z\nend_header\n1 0 0 x\n"},
+          {"a.off", "COFF 1 0 0\n0 0\n"}}) {
+        const std::string message = error_of_mesh(folder.write(name, text));
+        EXPECT_NE(message.find("\nwarning: "), std::string::npos) << message;
+    }
+}
+
 }  // namespace
 }  // namespace render
