@@ -4,9 +4,9 @@
 
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <stdexcept>
 
+#include "files/whole_file.hpp"
 #include "suite.hpp"
 
 namespace {
@@ -34,13 +34,14 @@ nlohmann::json as_json(const bench::Case& c) {
 }
 
 void write(const std::string& path, const nlohmann::json& document) {
-    std::ofstream file(path);
-    file << document.dump(1) << '\n';
-    if (!file.flush()) throw std::runtime_error("cannot write " + path);
+    render::WholeFile file(path);
+    file.write(document.dump(1) + '\n');
+    file.commit();
 }
 
 // The number of cases that were wrong.
 size_t run(bench::Suite& suite, const Options& options) {
+    if (!options.json.empty()) render::require_place(options.json);
     const bench::Device device(options.device);
     nlohmann::json document = {{"suite", suite.name()},
                                {"rsh", bench::describe_library()},
