@@ -52,13 +52,15 @@ void require_image_ending(const std::string& path) {
 std::string encode_image(const Frame& frame, const std::string& path) {
     require_image_ending(path);
     const std::string ending = ending_of(path);
-    const auto output = OIIO::ImageOutput::create("image" + ending);
+    OIIO::Filesystem::IOVecOutput memory;  // outlives what writes to it
+    auto output = OIIO::ImageOutput::create("image" + ending);
     if (!output) throw std::runtime_error(fmt::format("{}: {}", path, OIIO::geterror()));
     const bool is_linear = ending == ".exr" || ending == ".hdr";
     const OIIO::TypeDesc type = is_linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     OIIO::ImageSpec spec(frame.width, frame.height, ending == ".exr" ? 4 : 3, type);
-    spec.attribute("oiio:ColorSpace", is_linear ? "Linear" : "sRGB");
-    OIIO::Filesystem::IOVecOutput memory;
+    // Told of a colour space, OpenImageIO 2.4 makes TIFF files that it cannot read itself.
+    if (ending.rfind(".tif", 0) != 0)
+        spec.attribute("oiio:ColorSpace", is_linear ? "Linear" : "sRGB");
     output->set_ioproxy(&memory);
     bool is_written = output->open("image" + ending, spec);
     if (is_linear)
@@ -68,6 +70,7 @@ std::string encode_image(const Frame& frame, const std::string& path) {
         is_written = is_written && output->write_image(type, srgb_bytes(frame).data());
     if (!(is_written && output->close()))
         throw std::runtime_error(fmt::format("{}: {}", path, output->geterror()));
+    output.reset();
     return {memory.buffer().begin(), memory.buffer().end()};
 }
 

@@ -42,4 +42,22 @@ TEST(ImageOutput, EncodesSrgbInPngAndClamps) {
     EXPECT_EQ(image.bytes, expected);
 }
 
+TEST(ImageOutput, OfEveryEndingCanBeReadBack) {
+    render::TemporaryFolder folder;
+    render::Frame frame{64, 48,
+                        std::vector<float>(size_t{4} * 64 * 48, 0.2158605f)};  // 128 of 255
+    for (const char* ending : {".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".tga",
+                               ".hdr", ".ppm", ".webp", ".PNG"}) {
+        const std::string name = std::string("a") + ending;
+        const render::Image image =
+            render::load_image(folder.write(name, render::encode_image(frame, name)));
+        ASSERT_EQ(image.width, 64u) << name;
+        ASSERT_EQ(image.height, 48u) << name;
+        if (image.format == RSH_TEXEL_SRGB8)
+            EXPECT_NEAR(image.bytes[0], 128, 3) << name;
+        else
+            EXPECT_NEAR(image.floats[0], 0.2158605f, 1e-3) << name;
+    }
+}
+
 }  // namespace
