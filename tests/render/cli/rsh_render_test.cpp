@@ -168,6 +168,7 @@ TEST_F(RshRender, EndsBySignalsWhileItMeasuresAndChecks) {
     for (const char* output : {"--stats", "--check=10000"}) {
         const pid_t child = fork();
         if (child == 0) {
+            std::signal(SIGTERM, SIG_DFL);  // a shell's background job ignores SIGINT
             execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "256x256", "--frames",
                   "10000", output, static_cast<char*>(nullptr));
             _exit(127);
@@ -189,6 +190,7 @@ TEST_F(RshRender, EndsBySignalsWithTheOldPicture) {
     for (const int signal : {SIGTERM, SIGINT}) {
         const pid_t child = fork();
         if (child == 0) {
+            std::signal(signal, SIG_DFL);  // a shell's background job ignores SIGINT
             execl(RSH_RENDER, RSH_RENDER, file.c_str(), "--size", "512x512", "--frames", "1000",
                   "--out", picture.c_str(), static_cast<char*>(nullptr));
             _exit(127);

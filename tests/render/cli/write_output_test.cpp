@@ -32,6 +32,7 @@ std::string content(const std::string& path) {
 pid_t start_writer(const std::string& path, const std::string& bytes) {
     const pid_t child = fork();
     if (child != 0) return child;
+    std::signal(SIGINT, SIG_DFL);  // a shell's background job ignores it
     handle_signals();
     try {
         write_output(path, bytes);
