@@ -63,7 +63,7 @@ double largest(glm::dvec3 v) {
     return std::max(std::max(v.x, v.y), v.z);
 }
 
-// Would floats round a polygon's corners by more than a thousandth of its size?
+// Would floats round a polygon's corners by more than 1e-5 of its size?
 bool is_coarse_in_float(const Soup& soup, size_t polygon) {
     glm::dvec3 low(INFINITY), high(-INFINITY);
     for (size_t i = first_corner(soup, polygon); i < soup.ends[polygon]; ++i) {
@@ -71,7 +71,7 @@ bool is_coarse_in_float(const Soup& soup, size_t polygon) {
         high = glm::max(high, soup.positions[soup.corners[i].vertex]);
     }
     const double size = largest(high - low), far = largest(glm::max(-low, high));
-    return size > 0.0 && std::isfinite(far) && far * 0x1p-24 > size * 1e-3;
+    return size > 0.0 && std::isfinite(far) && far * 0x1p-24 > size * 1e-5;
 }
 
 // That of all finite values below which this share of them lies; 0 without any.

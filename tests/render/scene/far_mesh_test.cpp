@@ -181,6 +181,20 @@ TEST(FarMesh, OfFloatsStaysExact) {
     EXPECT_NEAR(world.mesh().positions[1].x, 1.1, 1e-6);
 }
 
+// A polygon of 1 km, whose corners have texture coordinates and normals.
+TEST(FarMesh, MayBeOneLargePolygon) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "a.obj",
+        "v 528980.85 5183527.1 0\nv 529980.85 5183527.1 0\nv 529980.85 5184527.1 0\n"
+        "v 528980.85 5184527.1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n");
+    const World world =
+        world_of(file, ", \"transform\": " + translate({-528980.85, -5183527.1, 0}));
+    const std::vector<glm::vec3> exact{{0, 0, 0}, {1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}};
+    for (size_t i = 0; i < 4; ++i)
+        EXPECT_LT(glm::distance(world.mesh().positions.at(i), exact[i]), 1e-3f) << i;
+}
+
 TEST(FarMesh, ThatStaysThereIsWarnedOf) {
     const TemporaryFolder folder;
     const World world = world_of(folder.write("a.obj", obj(kPlaces[0])), "");
