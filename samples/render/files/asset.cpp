@@ -246,7 +246,8 @@ std::optional<std::string> find_asset(const std::string& path) {
 
 Asset read_asset(const std::string& path) {
     if (is_file(path)) return read_existing(path);
-    if (fs::is_directory(path)) fail(path, "is a directory, not a file");
+    std::error_code ignored;  // of a name that is too long, say
+    if (fs::is_directory(path, ignored)) fail(path, "is a directory, not a file");
     const size_t colon = member_colon(path);
     if (colon != std::string::npos) {
         const std::string container = path.substr(0, colon);

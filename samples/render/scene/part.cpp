@@ -163,6 +163,7 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
     }
     change_materials(entry_, rest_.materials);
     placed_ = rest_;
+    placed_.mesh.origin = glm::dvec3(0.0);
     place_triangles();
     place(0.0);
 }

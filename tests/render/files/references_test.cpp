@@ -95,6 +95,22 @@ TEST_F(References, HostileLinesEnd) {
     EXPECT_EQ(names(".").size(), 1u) << "a folder is no file";
 }
 
+TEST_F(References, NamesThatNoFileCanHaveAreAWarning) {
+    const std::string names[] = {std::string(300, 'x'),
+                                 std::string(70000, 'x'),
+                                 std::string(5000, '/'),
+                                 "..",
+                                 "/",
+                                 "\"",
+                                 "a:b:c"};
+    for (const std::string& name : names) {
+        const Model model = load_mesh(folder_.write(
+            "a.obj", "mtllib " + name + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        ASSERT_EQ(model.warnings.size(), 1u) << name.substr(0, 20);
+        EXPECT_NE(model.warnings[0].find("a.obj: mtllib: "), std::string::npos);
+    }
+}
+
 // Through the keywords of OBJ, MTL and PLY.
 TEST_F(References, HoldForEveryKeyword) {
     folder_.write("mats/My Mats.mtl", "newmtl red\nKd 1 0 0\nmap_Kd \"..\\Tex\\a b.png\"\n");
