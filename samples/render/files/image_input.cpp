@@ -104,9 +104,14 @@ Image load_image(const std::string& path, size_t max_pixels) {
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     limit_openers(max_pixels);
     // Not every format can be read from memory; a plain file need not be.
-    const bool is_plain = std::filesystem::is_regular_file(path);
-    const std::string name = is_plain ? path : "image." + inner_extension(asset.location);
-    const auto input = OIIO::ImageInput::open(name, &wishes, is_plain ? nullptr : &memory);
+    const std::string ending = inner_extension(asset.location);
+    const bool is_plain = std::filesystem::is_regular_file(path) &&
+                          lower_case(std::filesystem::path(path).extension().string()) ==
+                              (ending.empty() ? "" : "." + ending);
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    if (!is_plain) wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const std::string name = is_plain ? path : "image." + ending;
+    const auto input = OIIO::ImageInput::open(name, &wishes);
     if (!input) throw std::runtime_error(fmt::format("{}: {}", path, OIIO::geterror()));
     const OIIO::ImageSpec& spec = input->spec();
     require_size(spec, max_pixels, path);

@@ -125,6 +125,20 @@ TEST(ImageInput, OtherFormatsMeanTheSame) {
     expect_colour(write_by_oiio(path("half.exr"), OIIO::TypeDesc::HALF), kStored, 5e-4);
 }
 
+TEST(ImageInput, CompressedFilesMeanTheSame) {
+    const TemporaryFolder folder;
+    const std::string half = png_file({2, 2, 8, 6}, kRgb + "\x80");
+    const std::string deep = png_file({2, 2, 16, 2}, words({200, 100, 50}));
+    folder.write_xz("half.png.xz", half);
+    expect_colour(folder.path("half.png"), kLinear);
+    expect_colour(folder.path("half.png.xz"), kLinear);
+    const std::string archive = folder.write_tar_xz("a.tar.xz", {{"16.png", deep}});
+    expect_colour(archive + ":16.png", kLinear);
+    const std::string tga("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x20\x28\x32\x64\xc8\x80", 22);
+    folder.write_xz("half.tga.xz", tga);
+    expect_colour(folder.path("half.tga"), kLinear);
+}
+
 // Its writer in OpenImageIO takes colours that are multiplied by alpha, at a gamma of 2.2; what is
 // stored loses some bits.
 TEST(ImageInput, AlphaDoesNotTouchTheColourOfWebp) {
