@@ -78,7 +78,7 @@ public:
     }
     Call reduce() const { return of(rsh_reduce, valid.reduce()); }
 
-    const ValidCalls valid;
+    const ValidCalls valid{};
     const test::Buffer<uint8_t> bounds{1u << 20};
 
 private:
@@ -105,7 +105,7 @@ protected:
         });
     }
 
-    const WaitingCalls calls;
+    const WaitingCalls calls{};
     cl::UserEvent gate{device().context};
 };
 
@@ -114,16 +114,18 @@ TEST_F(FailedEvent, InTheWaitListIsRefusedByEveryCall) {
     cl::UserEvent complete(device().context);
     complete.setStatus(CL_COMPLETE);
     const cl_event list[] = {complete(), gate()};
-    for (const auto& [name, call] : calls.all())
+    for (const WaitingCalls::Named& named : calls.all())
         for (const cl::CommandQueue& queue : {new_queue(), device().out_of_order_queue()}) {
             cl_event done = gate();
-            const Outcome outcome = watched([&] { return call(queue(), 2, list, &done); });
-            EXPECT_EQ(outcome.status, CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) << name;
-            EXPECT_EQ(done, nullptr) << name;
+            const Outcome outcome =
+                watched([&] { return named.call(queue(), 2, list, &done); });
+            EXPECT_EQ(outcome.status, CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST)
+                << named.name;
+            EXPECT_EQ(done, nullptr) << named.name;
             for (const char* part : {"wait_list[1]", "CL_OUT_OF_RESOURCES"})
                 EXPECT_NE(outcome.message.find(part), std::string::npos)
-                    << name << ": " << outcome.message;
-            EXPECT_LT(outcome.took_ms, kSoon.count()) << name;
+                    << named.name << ": " << outcome.message;
+            EXPECT_LT(outcome.took_ms, kSoon.count()) << named.name;
             queue.finish();
         }
     EXPECT_TRUE(calls.valid.outputs_untouched());
@@ -144,7 +146,7 @@ TEST_F(FailedEvent, MayHaveAnyNegativeStatus) {
 
 TEST_F(FailedEvent, EndsAFrameThatWaitsForIt) {
     for (const cl::CommandQueue& queue : {new_queue(), device().out_of_order_queue()}) {
-        const WaitingCalls own;
+        const WaitingCalls own{};
         gate = cl::UserEvent(device().context);
         std::thread failing = failing_later();
         cl_event done = nullptr;
@@ -181,17 +183,17 @@ TEST_F(FailedEvent, EndsAFrameThatWaitsForWhatWaitsForIt) {
 
 // It is too late to refuse: the calls are enqueued, and their own events fail.
 TEST_F(FailedEvent, FailsTheDoneEventOfACallThatIsEnqueued) {
-    for (const auto& [name, call] : calls.all()) {
-        if (std::string(name) == "rsh_frame with bounces") continue;  // waits
+    for (const WaitingCalls::Named& named : calls.all()) {
+        if (std::string(named.name) == "rsh_frame with bounces") continue;  // waits
         const cl::CommandQueue queue = new_queue();
         cl::UserEvent late(device().context);
         cl_event raw = nullptr;
-        RSH_CHECK(call(queue(), 1, &late(), &raw));
+        RSH_CHECK(named.call(queue(), 1, &late(), &raw));
         const cl::Event done(raw);
         queue.flush();
         late.setStatus(CL_OUT_OF_RESOURCES);
         watched([&] { return clWaitForEvents(1, &done()); });
-        EXPECT_LT(done.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(), 0) << name;
+        EXPECT_LT(done.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(), 0) << named.name;
     }
     EXPECT_TRUE(calls.valid.outputs_untouched());
 }

@@ -48,6 +48,7 @@ cl_int enqueued(const InsideOpenCl& inside, cl_int status, const cl_event* event
 
 }  // namespace
 
+// NOLINTBEGIN(bugprone-macro-parentheses): lists of arguments have theirs.
 // `after` sees `result`, and `event` where the call has one.
 #define RSH_STATUS_CALL(name, parameters, arguments, after)      \
     cl_int CL_API_CALL name parameters {                         \
@@ -81,6 +82,8 @@ cl_int enqueued(const InsideOpenCl& inside, cl_int status, const cl_event* event
         if (status) *status = faults::failing_code();                      \
         return nullptr;                                                    \
     }
+
+// NOLINTEND(bugprone-macro-parentheses)
 
 extern "C" {
 

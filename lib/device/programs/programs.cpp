@@ -1,5 +1,6 @@
 #include "device/programs/programs.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 
@@ -34,7 +35,8 @@ std::string build_log(cl_program program, cl_device_id device) {
     if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, bytes, &log[0], nullptr) !=
         CL_SUCCESS)
         return "";
-    return log.c_str();
+    log.resize(std::min(log.find('\0'), log.size()));
+    return log;
 }
 
 // One per device of the program, empty for those that it is not built for.
