@@ -63,15 +63,14 @@ static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departu
     from_v0.low += near_rest;
     const float3 normal = from->normal.high;
     const float distance = twofold_dot(from->normal, from_v0).high;
-    const float along = dot3(normal, d);
-    const twofold3 point = exact_sum3(near.high, near_rest - distance / along * d);
+    const float along = 1.0f / dot3(normal, d);
+    const twofold3 point = exact_sum3(near.high, near_rest - distance * along * d);
     from->point = point.high;
     from->rest = point.low;
-    const float share = 0x1p-22f * dot3(fabs(normal), fabs(d)) / fabs(along);
+    const float share = 0x1p-22f * dot3(fabs(normal), fabs(d)) * fabs(along);
     from->error = (0x1p-36f * surface->edges.extent + share * fabs(distance)) /
                   sqrt(dot3(normal, normal));
-    return is_finite3(point.high) && is_finite3(point.low) &&
-           from->error <= 0x1p-21f * surface->edges.extent;
+    return from->error <= 0x1p-21f * surface->edges.extent;
 }
 
 static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit hit)

@@ -16,7 +16,8 @@ typedef struct single_ray {
     float u, v;
     uint primitive;
     const triangles_left* left; /* 0: the ray has left none */
-    uint skip, index;           /* the triangle left, the ray; if there is `left` */
+    uint skip, index;           /* if there is `left`: the triangle left; the ray */
+    float doubtful_t;           /* the same as in ray_packet */
 } single_ray;
 
 static single_ray single_ray_of(const ray_packet* packet, uint k)
@@ -56,6 +57,7 @@ static single_ray single_ray_of(const ray_packet* packet, uint k)
     if (ray.left) {
         ray.skip = ((const uint*)packet->skip)[k];
         ray.index = ray_of(*packet->tile, packet->b, k);
+        ray.doubtful_t = lane_of(packet->doubtful_t, k);
     }
     return ray;
 }
@@ -127,7 +129,7 @@ static bool is_leaf_hit_left(const single_ray* ray, __global const float* leaf, 
                              uint triangle, float t)
 {
     if (triangle == ray->skip) return true;
-    if (ray->skip == RSH_NO_HIT) return false;
+    if (!(t <= ray->doubtful_t) || ray->skip == RSH_NO_HIT) return false;
     const triangle_points points = points_of(leaf, k);
     return t <= RSH_DOUBTFUL_DEPTH * triangle_extent(points) * fabs(ray->inverse_z) &&
            is_separated(ray->left, ray->index, points);
