@@ -63,7 +63,7 @@ void check_shape(const rsh_frame_desc& desc) {
     if (desc.shape != RSH_SHAPE_DEFAULT) check_node_shape(engine, desc.shape);
     find_strategy(desc.strategy);
     check_budget(desc.budget);
-    require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_SHAPE_... value");
+    require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_BOUND_... value");
 }
 
 void check_buffers(const Context& context, const rsh_frame_desc& desc) {

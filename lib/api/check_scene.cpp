@@ -98,7 +98,7 @@ void check_host_copies(const rsh_scene& scene, const rsh_material* materials,
 void check_shape(const rsh_bound_desc& desc) {
     check_shape(desc.geometry);
     bounds_for(desc.shape);
-    require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_SHAPE_... value");
+    require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_BOUND_... value");
 }
 
 void check_buffers(const Context& context, const rsh_bound_desc& desc) {
