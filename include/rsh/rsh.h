@@ -525,8 +525,9 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          what lies behind the tile's farthest hit is never looked at.
  *          skip: a ray with a triangle to skip also does not hit what only rounding would put
  *          in its way: a triangle whose corners are all behind a plane through the origin that
- *          the ray moves away from, parallel to that triangle or to the one skipped
- *          (kernels/mesh/leaving.h). No true hit is lost by that.
+ *          the ray moves away from, parallel to that triangle or to the one skipped; or in the
+ *          latter one (kernels/mesh/leaving.h). No true hit is lost by that, but one that only
+ *          touches the triangle where the ray starts.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.

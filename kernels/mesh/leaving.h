@@ -10,8 +10,12 @@
  * hit. Two planes are tried, that of the triangle hit and that of the triangle left: the first
  * one tells where the two meet in a valley, the second where they meet in a ridge or a plane.
  *
- * No hit is lost by that: corners count as beyond a plane only farther than the error of that
- * decision, 2^-42 of their distance (mesh/twofold.h). Nor does it cost where nothing is near.
+ * Corners count as beyond the plane of the triangle hit only farther than the error of that
+ * decision, 2^-42 of their distance (mesh/twofold.h): a ray may start in a triangle that it goes
+ * through. Corners in the plane of the triangle left, as far as that error tells, count as beyond
+ * it: a ray may start in a corner or an edge that both share, and be stopped by it. What may be
+ * lost is a triangle less than 3 * 2^-41 |.| above that plane, which the ray meets at a depth of
+ * 3 * 2^-25 |.|, a tenth of what t errs by. Nor does it cost where nothing is near.
  * Spawned rays leave at RSH_GRAZING, 2^-16, or more, so that a point at depth s along the ray is
  * 2^-16 s or more above the plane left, and is mistaken for one of a triangle below that plane
  * only while 2^-16 s <= 15.6u |.|, that is s <= 0.061 |.|. A hit at depth s has the corners of
@@ -38,27 +42,32 @@ typedef struct triangles_left {
 
 /* The side of a plane through the origin that the ray moves to: 1 or -1; 0: it stays in it, as
  * far as rounding tells. */
-static float side_ahead(float3 normal, float3 direction)
+static int side_ahead(float3 normal, float3 direction)
 {
     const float along = dot3(normal, direction);
     const float error = 0x1p-21f * dot3(fabs(normal), fabs(direction));
-    return along > error ? 1.0f : along < -error ? -1.0f : 0.0f;
+    return along > error ? 1 : along < -error ? -1 : 0;
 }
 
-static bool is_beyond(const twofold3* normal, float side, float3 origin, float3 corner)
+/* The side of the plane through the origin that a corner is on: 1, that of the normal; -1; 0: in
+ * the plane, as far as rounding tells. */
+static int side_of(const twofold3* normal, float3 origin, float3 corner)
 {
     const twofold3 to_corner = exact_sum3(corner, -origin);
-    return side * twofold_dot(*normal, to_corner).high <
-           -0x1p-42f * dot3(fabs(normal->high), fabs(to_corner.high));
+    const float height = twofold_dot(*normal, to_corner).high;
+    const float error = 0x1p-42f * dot3(fabs(normal->high), fabs(to_corner.high));
+    return height > error ? 1 : height < -error ? -1 : 0;
 }
 
 /* False: a corner of the triangle is ahead of the ray in the plane's direction, sure of it in
- * floats. With edges a, b a component of the normal errs by 8u |a| |b|, a distance from the plane
- * by 2^-19 |a| |b| |corner - origin|. */
+ * floats. With edges a, b, scaled so that nothing underflows, a component of the normal errs by
+ * 8u |a| |b|, a distance from the plane by 2^-19 |a| |b| |corner - origin|. */
 static bool may_separate(triangle_points plane, rsh_ray ray, triangle_points triangle)
 {
     const float3 origin = ray.origin_tmin.xyz, direction = ray.direction_tmax.xyz;
-    const float3 a = plane.v1 - plane.v0, b = plane.v2 - plane.v0;
+    const float3 edge1 = plane.v1 - plane.v0, edge2 = plane.v2 - plane.v0;
+    const float scale = scale_to_one(largest3(fmax(fabs(edge1), fabs(edge2))));
+    const float3 a = scale * edge1, b = scale * edge2;
     const float3 normal = a.yzx * b.zxy - a.zxy * b.yzx;
     const float error = 0x1p-18f * largest3(fabs(a)) * largest3(fabs(b));
     const float along = dot3(normal, direction);
@@ -70,16 +79,19 @@ static bool may_separate(triangle_points plane, rsh_ray ray, triangle_points tri
     return true;
 }
 
-/* Whether the plane of a triangle, moved to the ray's origin, separates ray and triangle. */
-static bool separates(triangle_points plane, rsh_ray ray, triangle_points triangle)
+/* Whether the plane of a triangle, moved to the ray's origin, separates ray and triangle.
+ * in_plane: of a triangle whose corners may also be in the plane. */
+static bool separates(triangle_points plane, rsh_ray ray, triangle_points triangle,
+                      bool in_plane)
 {
     if (!may_separate(plane, ray, triangle)) return false;
     const twofold3 normal = plane_normal(plane);
     const float3 origin = ray.origin_tmin.xyz;
-    const float side = side_ahead(normal.high, ray.direction_tmax.xyz);
-    return is_beyond(&normal, side, origin, triangle.v0) &&
-           is_beyond(&normal, side, origin, triangle.v1) &&
-           is_beyond(&normal, side, origin, triangle.v2);
+    const int ahead = side_ahead(normal.high, ray.direction_tmax.xyz);
+    const int farthest = in_plane ? 0 : -1;
+    return ahead != 0 && ahead * side_of(&normal, origin, triangle.v0) <= farthest &&
+           ahead * side_of(&normal, origin, triangle.v1) <= farthest &&
+           ahead * side_of(&normal, origin, triangle.v2) <= farthest;
 }
 
 /* Whether the hit of a ray is none. */
@@ -87,10 +99,10 @@ static bool is_separated(const triangles_left* left, uint ray, triangle_points h
 {
     const uint skip = left->skip[ray];
     triangle_points from;
-    return separates(hit, left->rays[ray], hit) ||
+    return separates(hit, left->rays[ray], hit, false) ||
            (skip < left->mesh.triangle_count &&
             load_triangle(left->mesh, left->vertices, left->indices, skip, &from) &&
-            separates(from, left->rays[ray], hit));
+            separates(from, left->rays[ray], hit, true));
 }
 
 static float triangle_extent(triangle_points p)
