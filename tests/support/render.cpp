@@ -23,7 +23,8 @@ Spawned spawn(const DeviceScene& scene, const std::vector<rsh_ray>& rays,
     desc.spawned_weights = options.kind == RSH_SPAWN_SHADOW ? nullptr : out_weights.get();
     desc.active_count = count.get();
     desc.spawned_skip = options.by_distance ? nullptr : skip.get();
-    RSH_CHECK(rsh_spawn(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
+    const rsh_context context = options.context ? options.context : device().rsh;
+    RSH_CHECK(rsh_spawn(context, device().queue(), &desc, 0, nullptr, nullptr));
     EXPECT_TRUE(out_rays.guards_intact());
     EXPECT_TRUE(out_weights.guards_intact());
     EXPECT_TRUE(skip.guards_intact());

@@ -21,6 +21,7 @@ struct SpawnOptions {
     float min_weight = 0;
     std::vector<cl_float4> weights;  // empty: all 1
     bool by_distance = false;        // keeps rays off their triangle without its number
+    rsh_context context = nullptr;   // null: the device's
 };
 
 Spawned spawn(const DeviceScene& scene, const std::vector<rsh_ray>& rays,
