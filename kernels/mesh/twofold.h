@@ -57,6 +57,26 @@ static twofold3 twofold_scaled(float scale, twofold3 v)
     return (twofold3){scale * v.high, scale * v.low};
 }
 
+static twofold3 twofold_sum3(twofold3 a, twofold3 b)
+{
+    const twofold3 sum = exact_sum3(a.high, b.high);
+    return gathered(sum.high, sum.low + (a.low + b.low));
+}
+
+static twofold3 twofold_times(twofold a, twofold3 v)
+{
+    const twofold3 product = exact_product3((float3)(a.high), v.high);
+    return gathered(product.high, product.low + (a.high * v.low + a.low * v.high));
+}
+
+/* Not gathered: `high` is that of floats, `low` what it leaves. */
+static twofold twofold_quotient(twofold a, twofold b)
+{
+    const float quotient = a.high / b.high;
+    const float rest = fma(-quotient, b.high, a.high) + (a.low - quotient * b.low);
+    return (twofold){quotient, rest / b.high};
+}
+
 static twofold twofold_dot(twofold3 a, twofold3 b)
 {
     const twofold3 terms = exact_product3(a.high, b.high);
