@@ -3,9 +3,14 @@
  *
  * The ray does not hit that triangle, which is told by its number, nor what lies behind the
  * triangle's plane (mesh/leaving.h). So the origin only has to be on the right side of the plane:
- * farther from it than the error of the point, and once more, for the test that decides it. The
- * point's rounding is known. If it lies too low, it is moved along the coordinate in which the
- * normal is longest, and rounded up there: two ulp at most.
+ * farther from it than the error of the point, and once more, for the test that decides it. Of
+ * the floats around the point one on that side is taken: two ulp away at most.
+ *
+ * If that one were simply the nearest, each ray would start a share of an ulp above its surface.
+ * Between curved mirrors such a shift, always to the same side of the ray, adds up from bounce
+ * to bounce, where roundings cancel. Errors along the ray do nothing. So the float is taken that
+ * lies least beside the ray, and among floats around a point a little ahead, where more of them
+ * are on the right side.
  *
  * A ray whose triangle is not told by number must be kept off it by distance. Seen from a point
  * above the triangle, corners lie within M <= L + distance on each axis (L: the triangle's
@@ -84,32 +89,49 @@ static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit h
     return from;
 }
 
-/* At least `missing` farther along the axis in which `side` is longest. */
-static float3 raised(float3 origin, float3 side, float missing)
+/* How far ahead of the point, in ulp of its largest coordinate (2^-24 of it at least), and what
+ * an error along the ray counts beside one across it, squared. With 0 and 1 the error of the
+ * 11th of a chain of mirrors is 2.1 times that of rounding to nearest, with these 1.2 times; its
+ * first origin is 1.6 times as far away. */
+#define RSH_PLACE_AHEAD 0.75f
+#define RSH_ALONG_SHARE 0.25f
+
+/* One of the eight floats around a place just ahead of the point. One of them is on the side,
+ * if `direction` leads there by RSH_GRAZING: so is the place, and the float that is farther to
+ * that side on each axis. direction 0: the nearest on the side. */
+static float3 rounded_to_side(twofold3 point, float3 side, float3 direction)
 {
-    const float3 size = fabs(side);
-    const float shift = missing / largest3(size);
-    const float3 up = copysign((float3)(shift), side) +
-                      copysign(0x1p-24f * (fabs(origin) + 2.0f * shift), side);
-    if (size.x >= size.y && size.x >= size.z)
-        origin.x += up.x;
-    else if (size.y >= size.z)
-        origin.y += up.y;
-    else
-        origin.z += up.z;
-    return origin;
+    const float3 ahead = RSH_PLACE_AHEAD * 0x1p-24f * largest3(fabs(point.high)) * direction;
+    const twofold3 place = gathered(point.high, point.low + ahead);
+    const float3 next = nextafter(place.high, copysign((float3)(INFINITY), place.low));
+    const float scale = scale_to_one(largest3(fabs(place.high)));
+    float3 best = place.high;
+    float least = INFINITY;
+    for (int i = 0; i < 8; ++i) {
+        const int3 is_next = (int3)(i & 1, i & 2, i & 4) != 0;
+        const float3 candidate = select(place.high, next, is_next);
+        const float3 error = scale * ((candidate - place.high) - place.low + ahead);
+        const float along = dot3(error, direction);
+        const float badness = dot3(error, error) - (1.0f - RSH_ALONG_SHARE) * along * along;
+        const bool is_on_side = dot3(side, error) >= 0x1p-21f * dot3(fabs(side), fabs(error));
+        if (is_on_side && badness < least) {
+            least = badness;
+            best = candidate;
+        }
+    }
+    return best;
 }
 
-/* `side`: the geometric normal, towards the side that the ray leaves to. is_skipped: the ray
- * will not hit the triangle. */
+/* `side`: the geometric normal, towards the side that the ray leaves to. `direction`: unit; 0 for
+ * a ray that is made from the origin. is_skipped: the ray will not hit the triangle. */
 static float3 leave_surface(const surface_hit* surface, const departure* from, float3 side,
-                            bool is_skipped)
+                            float3 direction, bool is_skipped)
 {
     const float margin =
         2.0f * from->error + 0x1p-124f + (is_skipped ? 0.0f : 0x1p-18f * surface->edges.extent);
-    const float3 origin = from->point + margin * side;
-    const float missing = margin - dot3(side, (origin - from->point) - from->rest);
-    return missing > 0.0f ? raised(origin, side, missing) : origin;
+    twofold3 point = exact_sum3(from->point, margin * side);
+    point.low += from->rest;
+    return rounded_to_side(point, side, direction);
 }
 
 #endif

@@ -100,9 +100,9 @@ __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
                     ? refracted_branch(&surface, material)
                     : reflected_branch(&buffers, &surface, hits[i].primitive, &from, material);
             const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
-            const rsh_ray ray =
-                ray_from(leave_surface(&surface, &from, branch.side, spawned_skip != 0),
-                         branch.direction, INFINITY);
+            const rsh_ray ray = ray_from(leave_surface(&surface, &from, branch.side,
+                                                       branch.direction, spawned_skip != 0),
+                                         branch.direction, INFINITY);
             if (is_worth(product, min_weight) && is_active(ray)) {
                 spawned = ray;
                 weight = product;
