@@ -98,7 +98,7 @@ static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit h
 
 /* One of the eight floats around a place just ahead of the point. One of them is on the side,
  * if `direction` leads there by RSH_GRAZING: so is the place, and the float that is farther to
- * that side on each axis. direction 0: the nearest on the side. */
+ * that side on each axis. */
 static float3 rounded_to_side(twofold3 point, float3 side, float3 direction)
 {
     const float3 ahead = RSH_PLACE_AHEAD * 0x1p-24f * largest3(fabs(point.high)) * direction;
@@ -122,16 +122,23 @@ static float3 rounded_to_side(twofold3 point, float3 side, float3 direction)
     return best;
 }
 
-/* `side`: the geometric normal, towards the side that the ray leaves to. `direction`: unit; 0 for
- * a ray that is made from the origin. is_skipped: the ray will not hit the triangle. */
-static float3 leave_surface(const surface_hit* surface, const departure* from, float3 side,
-                            float3 direction, bool is_skipped)
+/* The float that is farther to the side on each axis: within an ulp, and quicker, for rays that
+ * no other one follows. */
+static float3 rounded_up(twofold3 point, float3 side)
+{
+    const float3 next = nextafter(point.high, copysign((float3)(INFINITY), side));
+    return select(point.high, next, point.low * side > 0.0f);
+}
+
+/* Where a ray may start, before it is rounded. side: the geometric normal, towards the side that
+ * the ray leaves to. is_skipped: the ray will not hit the triangle. */
+static twofold3 leave_surface(const surface_hit* surface, const departure* from, float3 side,
+                              bool is_skipped)
 {
     const float margin =
         2.0f * from->error + 0x1p-124f + (is_skipped ? 0.0f : 0x1p-18f * surface->edges.extent);
-    twofold3 point = exact_sum3(from->point, margin * side);
-    point.low += from->rest;
-    return rounded_to_side(point, side, direction);
+    const twofold3 point = exact_sum3(from->point, margin * side);
+    return gathered(point.high, point.low + from->rest);
 }
 
 #endif

@@ -100,8 +100,9 @@ __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
                     ? refracted_branch(&surface, material)
                     : reflected_branch(&buffers, &surface, hits[i].primitive, &from, material);
             const float3 product = weights ? weights[i].xyz * branch.weight : branch.weight;
-            const rsh_ray ray = ray_from(leave_surface(&surface, &from, branch.side,
-                                                       branch.direction, spawned_skip != 0),
+            const twofold3 start =
+                leave_surface(&surface, &from, branch.side, spawned_skip != 0);
+            const rsh_ray ray = ray_from(rounded_to_side(start, branch.side, branch.direction),
                                          branch.direction, INFINITY);
             if (is_worth(product, min_weight) && is_active(ray)) {
                 spawned = ray;

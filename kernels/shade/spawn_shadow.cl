@@ -26,8 +26,8 @@ static bool shadow_ray(rsh_light light, const surface_hit* surface, rsh_ray seen
     light_arrival arrival;
     if (!light.casts_shadow || !light_arrives(light, surface, &arrival)) return false;
     const departure from = departure_of(surface, seen, hit);
-    const float3 origin =
-        leave_surface(surface, &from, surface->geometric, (float3)(0.0f), is_skipped);
+    const float3 side = surface->geometric;
+    const float3 origin = rounded_up(leave_surface(surface, &from, side, is_skipped), side);
     if (is_positional(light))
         *ray = ray_from(origin, light.position.xyz - origin, RSH_BEFORE_LIGHT);
     else

@@ -102,9 +102,9 @@ size_t stopped_with(const NamedBody& body, const char* file, const char* from, c
 }
 
 TEST(LeavingIsStopped, WithoutAnOffset) {
-    EXPECT_GT(stopped_with(bodies()[1], "shade/departure.h",
-                           "return missing > 0.0f ? raised(origin, side, missing) : origin;",
-                           "return from->point;"),
+    EXPECT_GT(stopped_with(bodies()[1], "shade/spawn.cl",
+                           "rounded_to_side(start, branch.side, branch.direction)",
+                           "from.point"),
               0u);
 }
 
