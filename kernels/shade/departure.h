@@ -96,6 +96,34 @@ static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit h
 #define RSH_PLACE_AHEAD 0.75f
 #define RSH_ALONG_SHARE 0.25f
 
+/* The floats next to v, towards the signs of `way`. */
+static float3 next_floats(float3 v, float3 way)
+{
+    const int3 outwards = (v < 0.0f) == (way < 0.0f);
+    const float3 next = as_float3(as_int3(v) + select((int3)(-1), (int3)(1), outwards));
+    return select(next, copysign((float3)(0x1p-126f), way), v == 0.0f);
+}
+
+/* One value per axis, each of two, as the sums of all eight choices: bit i of its number says
+ * which of axis i. */
+static float8 sums_of_choices(float3 first, float3 second)
+{
+    const float4 xy = (float4)(first.x, second.x, first.x, second.x) +
+                      (float4)(first.y, first.y, second.y, second.y);
+    return (float8)(xy + first.z, xy + second.z);
+}
+
+static int least_of(float8 values)
+{
+    const int4 is_high4 = values.hi < values.lo;
+    const float4 four = select(values.lo, values.hi, is_high4);
+    const int4 index4 = select((int4)(0, 1, 2, 3), (int4)(4, 5, 6, 7), is_high4);
+    const int2 is_high2 = four.hi < four.lo;
+    const float2 two = select(four.lo, four.hi, is_high2);
+    const int2 index2 = select(index4.lo, index4.hi, is_high2);
+    return two.y < two.x ? index2.y : index2.x;
+}
+
 /* One of the eight floats around a place just ahead of the point. One of them is on the side,
  * if `direction` leads there by RSH_GRAZING: so is the place, and the float that is farther to
  * that side on each axis. */
@@ -103,31 +131,25 @@ static float3 rounded_to_side(twofold3 point, float3 side, float3 direction)
 {
     const float3 ahead = RSH_PLACE_AHEAD * 0x1p-24f * largest3(fabs(point.high)) * direction;
     const twofold3 place = gathered(point.high, point.low + ahead);
-    const float3 next = nextafter(place.high, copysign((float3)(INFINITY), place.low));
+    const float3 next = next_floats(place.high, place.low);
     const float scale = scale_to_one(largest3(fabs(place.high)));
-    float3 best = place.high;
-    float least = INFINITY;
-    for (int i = 0; i < 8; ++i) {
-        const int3 is_next = (int3)(i & 1, i & 2, i & 4) != 0;
-        const float3 candidate = select(place.high, next, is_next);
-        const float3 error = scale * ((candidate - place.high) - place.low + ahead);
-        const float along = dot3(error, direction);
-        const float badness = dot3(error, error) - (1.0f - RSH_ALONG_SHARE) * along * along;
-        const bool is_on_side = dot3(side, error) >= 0x1p-21f * dot3(fabs(side), fabs(error));
-        if (is_on_side && badness < least) {
-            least = badness;
-            best = candidate;
-        }
-    }
-    return best;
+    const float3 a = scale * (ahead - place.low);
+    const float3 b = scale * ((next - place.high) - place.low + ahead);
+    const float8 along = sums_of_choices(a * direction, b * direction);
+    const float8 height = sums_of_choices(a * side, b * side);
+    const float8 error = 0x1p-21f * sums_of_choices(fabs(a * side), fabs(b * side));
+    const float8 badness =
+        sums_of_choices(a * a, b * b) - (1.0f - RSH_ALONG_SHARE) * along * along;
+    const int i = least_of(select(badness, (float8)(INFINITY), height < error));
+    return (float3)(i & 1 ? next.x : place.high.x, i & 2 ? next.y : place.high.y,
+                    i & 4 ? next.z : place.high.z);
 }
 
 /* The float that is farther to the side on each axis: within an ulp, and quicker, for rays that
  * no other one follows. */
 static float3 rounded_up(twofold3 point, float3 side)
 {
-    const float3 next = nextafter(point.high, copysign((float3)(INFINITY), side));
-    return select(point.high, next, point.low * side > 0.0f);
+    return select(point.high, next_floats(point.high, side), point.low * side > 0.0f);
 }
 
 /* Where a ray may start, before it is rounded. side: the geometric normal, towards the side that
