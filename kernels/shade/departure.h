@@ -89,10 +89,10 @@ static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit h
     return from;
 }
 
-/* How far ahead of the point, in ulp of its largest coordinate (2^-24 of it at least), and what
- * an error along the ray counts beside one across it, squared. With 0 and 1 the error of the
- * 11th of a chain of mirrors is 2.1 times that of rounding to nearest, with these 1.2 times; its
- * first origin is 1.6 times as far away. */
+/* How far ahead of the point, in 2^-24 of its largest coordinate, and what an error along the ray
+ * counts beside one across it, squared. With 0 and 1 the error at the 11th of a chain of mirrors
+ * is 2.2 times that of rounding to nearest, with these 1.2 times; the first origin's is 1.6
+ * times, instead of 1.4. */
 #define RSH_PLACE_AHEAD 0.75f
 #define RSH_ALONG_SHARE 0.25f
 
