@@ -600,7 +600,9 @@ typedef struct rsh_spawn_desc {
  *         origin moves off by 2^-18 of the triangle's extent as well, so that shadows and
  *         reflections of what is nearer to a large triangle than that are lost.
  *         Limits: the corners of a triangle are floats, so a surface is where their rounding
- *         puts it; at an edge, origins within some ulp of it may be beyond the neighbour; of two
+ *         puts it: what stands on a turned ground of two triangles is an ulp of its corners too
+ *         deep or too high (0.06 at 1e6), and so much of its shadow and image is lost or added;
+ *         at an edge, origins within some ulp of it may be beyond the neighbour; of two
  *         surfaces nearer to each other than some ulp of their coordinates either may win;
  *         triangles less than 2^-15 as high as long get their origins within 2^-20 of their
  *         extent.

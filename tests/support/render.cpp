@@ -64,7 +64,8 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
     rsh_frame_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.scene = &scene.desc;
-    desc.camera = gallery_camera(options.width, options.height);
+    desc.camera =
+        options.camera ? *options.camera : gallery_camera(options.width, options.height);
     desc.width = options.width;
     desc.height = options.height;
     desc.bounces = options.bounces;

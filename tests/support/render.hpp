@@ -35,6 +35,7 @@ std::vector<cl_float4> shade(const DeviceScene& scene, const std::vector<rsh_ray
 
 struct FrameOptions {
     uint32_t width = 64, height = 48;
+    const rsh_camera* camera = nullptr;  // null: the gallery's
     uint32_t bounces = 0;
     float min_weight = 0;
     cl_uint engine = RSH_ENGINE_DEFAULT;
