@@ -528,6 +528,9 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          the ray moves away from, parallel to that triangle or to the one skipped; or in the
  *          latter one (kernels/mesh/leaving.h). No true hit is lost by that, but one that only
  *          touches the triangle where the ray starts.
+ * Errors:  t errs by up to 2^-20 of the farthest component of a corner, seen from the origin of the
+ *          ray (kernels/mesh/intersect.h): for a ground of 1e7 that a ray meets obliquely, by
+ *          as much as 10, and what is nearer to it than that may be seen behind it.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.
