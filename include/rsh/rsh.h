@@ -30,10 +30,11 @@
  *              `reserved` words must be 0. Host data that descriptors point at (a scene, a wait
  *              list) is read before the call returns.
  *              Planned, so that nothing has to move: at the end of rsh_traverse_desc and
- *              rsh_build_desc rays as separate arrays, and masks; of rsh_scene offset and stride of each attribute; of
- *              rsh_frame_desc and rsh_rasterize_desc a window of the picture. In reserved words
- *              of rsh_geometry 16-bit indices, and ranges of several meshes with ids and masks;
- *              of rsh_camera, rsh_material, rsh_light and rsh_texture what stands beside them.
+ *              rsh_build_desc rays as separate arrays, and masks; of rsh_scene offset and stride
+ *              of each attribute; of rsh_frame_desc and rsh_rasterize_desc a window of the
+ *              picture. In reserved words of rsh_geometry 16-bit indices, and ranges of several
+ *              meshes with ids and masks; of rsh_camera, rsh_material, rsh_light and rsh_texture
+ *              what stands beside them.
  *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
  *              they were made for, and a traversal looks at that on the device. Where bounds or
  *              nodes were made for another shape, another number of triangles, a screen or list
