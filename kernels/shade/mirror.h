@@ -53,11 +53,9 @@ static float3 mirrored(float3 d, twofold3 n)
 static float3 mirror_direction(const surface_buffers* buffers, const surface_hit* surface,
                                uint triangle, const departure* from)
 {
-#if RSH_SMOOTH_NORMAL
-    return mirrored(from->direction, smooth_normal_at(buffers, surface, triangle, from));
-#else
-    return mirrored(from->direction, from->normal);
-#endif
+    const twofold3 normal =
+        RSH_SMOOTH_NORMAL ? smooth_normal_at(buffers, surface, triangle, from) : from->normal;
+    return mirrored(from->direction, normal);
 }
 
 #endif
