@@ -4,44 +4,17 @@
 
 #include <functional>
 
+#include "api/calls.hpp"
 #include "api/struct_size.hpp"
 #include "api/valid_calls.hpp"
 #include "support/ways.hpp"
 
 namespace {
 
+using test::call;
 using test::ValidCalls;
 
 constexpr size_t kAny = ~size_t{0};
-
-// The calls by descriptor type, so that one template tests all of them.
-rsh_status call(const rsh_rasterize_desc* d, cl_event* e) {
-    return rsh_rasterize(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_bound_desc* d, cl_event* e) {
-    return rsh_bound(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_build_desc* d, cl_event* e) {
-    return rsh_build(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_traverse_desc* d, cl_event* e) {
-    return rsh_traverse(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_audit_desc* d, cl_event* e) {
-    return rsh_audit(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_spawn_desc* d, cl_event* e) {
-    return rsh_spawn(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_shade_desc* d, cl_event* e) {
-    return rsh_shade(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_frame_desc* d, cl_event* e) {
-    return rsh_frame(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
-rsh_status call(const rsh_reduce_desc* d, cl_event* e) {
-    return rsh_reduce(test::device().rsh, test::device().queue(), d, 0, nullptr, e);
-}
 
 class Misuse : public ::testing::Test {
 protected:
@@ -53,10 +26,7 @@ protected:
         cl_event event = nullptr;
         EXPECT_EQ(call(&desc, &event), status) << words[0] << ": " << rsh_last_error();
         EXPECT_EQ(event, nullptr) << words[0];
-        const std::string message = rsh_last_error();
-        for (const std::string& word : words)
-            EXPECT_NE(message.find(word), std::string::npos)
-                << word << " is not in: " << message;
+        test::expect_said(words);
         EXPECT_TRUE(valid_.outputs_untouched()) << words[0];
     }
 

@@ -2,43 +2,20 @@
 // buffers and parts of them: RSH_INVALID_VALUE names both members, and nothing is enqueued.
 #include <gtest/gtest.h>
 
+#include "api/calls.hpp"
 #include "api/valid_calls.hpp"
 
 namespace {
 
+using test::call;
 using test::device;
-
-rsh_status call(const rsh_rasterize_desc& d) {
-    return rsh_rasterize(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_bound_desc& d) {
-    return rsh_bound(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_build_desc& d) {
-    return rsh_build(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_traverse_desc& d) {
-    return rsh_traverse(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_spawn_desc& d) {
-    return rsh_spawn(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_shade_desc& d) {
-    return rsh_shade(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_frame_desc& d) {
-    return rsh_frame(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
-rsh_status call(const rsh_reduce_desc& d) {
-    return rsh_reduce(device().rsh, device().queue(), &d, 0, nullptr, nullptr);
-}
 
 class Overlap : public ::testing::Test {
 protected:
     // `member` is checked after `other`, and complains about it.
     template <class Desc>
     void refuses(const Desc& desc, const std::string& member, const std::string& other) {
-        EXPECT_EQ(call(desc), RSH_INVALID_VALUE) << member << ", " << other;
+        EXPECT_EQ(call(&desc), RSH_INVALID_VALUE) << member << ", " << other;
         const std::string message = rsh_last_error();
         EXPECT_NE(message.find(member + ": is bytes"), std::string::npos) << message;
         EXPECT_NE(message.find("overlap " + other), std::string::npos) << message;
@@ -109,10 +86,10 @@ TEST_F(Overlap, OfPartsIsJudgedByTheirBytes) {
     reduce.output = whole_();
     refuses(reduce, "output", "input");
     reduce.output = second();
-    EXPECT_EQ(call(reduce), RSH_SUCCESS) << rsh_last_error();
+    EXPECT_EQ(call(&reduce), RSH_SUCCESS) << rsh_last_error();
     reduce.input = second();
     reduce.output = same();
-    EXPECT_EQ(call(reduce), RSH_INVALID_VALUE) << "two parts of the same bytes";
+    EXPECT_EQ(call(&reduce), RSH_INVALID_VALUE) << "two parts of the same bytes";
     device().queue.finish();
 }
 
@@ -135,7 +112,7 @@ TEST_F(Overlap, OfScratchIsRefused) {
 TEST_F(Overlap, OfInputsIsAllowed) {
     auto reduce = valid_.reduce();
     reduce.flags = reduce.input;
-    EXPECT_EQ(call(reduce), RSH_SUCCESS) << rsh_last_error();
+    EXPECT_EQ(call(&reduce), RSH_SUCCESS) << rsh_last_error();
     device().queue.finish();
 }
 
@@ -143,7 +120,7 @@ class Reserved : public Overlap {
 protected:
     template <class Desc>
     void refuses(const Desc& desc, const std::string& words) {
-        EXPECT_EQ(call(desc), RSH_INVALID_VALUE);
+        EXPECT_EQ(call(&desc), RSH_INVALID_VALUE);
         EXPECT_NE(std::string(rsh_last_error()).find(words), std::string::npos)
             << words << " is not in: " << rsh_last_error();
         EXPECT_TRUE(valid_.outputs_untouched());
