@@ -11,6 +11,7 @@
 
 #include "frame/picture.hpp"
 #include "support/render.hpp"
+#include "support/source_tree.hpp"
 
 namespace {
 
@@ -74,7 +75,8 @@ TEST_P(Image, LooksLikeTheGoldenOne) {
     const auto colour = test::frame(test::DeviceScene(GetParam().make()), options);
     const test::Picture actual = test::to_picture(colour, kSide, kSide);
     const std::string name = GetParam().name;
-    const std::string path = std::string(RSH_GOLDEN_DIR) + "/" + name + ".png";
+    const std::string path =
+        (test::source_tree() / "tests/frame/golden" / (name + ".png")).string();
     if (std::getenv("RSH_UPDATE_GOLDEN")) {
         test::write_png(path, actual);
         std::printf("wrote %s: look at it\n", path.c_str());

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "support/device.hpp"
+#include "support/source_tree.hpp"
 
 namespace test {
 
@@ -17,11 +18,9 @@ class ChangedKernels {
 public:
     ChangedKernels(const std::string& file, const std::string& from, const std::string& to) {
         std::filesystem::create_directories(root_ / "include/rsh");
-        std::filesystem::copy(RSH_KERNEL_SOURCES, root_ / "kernels",
+        std::filesystem::copy(source_tree() / "kernels", root_ / "kernels",
                               std::filesystem::copy_options::recursive);
-        std::filesystem::copy(
-            std::filesystem::path(RSH_KERNEL_SOURCES) / "../include/rsh/rsh_types.h",
-            root_ / "include/rsh");
+        std::filesystem::copy(source_tree() / "include/rsh/rsh_types.h", root_ / "include/rsh");
         change(root_ / "kernels" / file, from, to);
         const std::string folder = (root_ / "kernels").string();
         rsh_context_desc desc = {};
