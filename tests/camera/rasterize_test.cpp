@@ -28,7 +28,8 @@ View view(uint32_t width, uint32_t height, Float3 eye = {0.3f, 0.4f, 3}, Float3 
     return {test::look_at(eye, at, width, height), width, height};
 }
 
-Raster rasterize(const test::DeviceMesh& mesh, const View& v, size_t budget, bool own_scratch) {
+Raster rasterize(const test::DeviceMesh& mesh, const View& v, size_t budget, bool own_scratch,
+                 rsh_context context = test::device().rsh) {
     const size_t pixels = size_t(v.width) * v.height;
     const Buffer<rsh_ray> rays(pixels);
     const Buffer<rsh_hit> hits(pixels);
@@ -45,12 +46,11 @@ Raster rasterize(const test::DeviceMesh& mesh, const View& v, size_t budget, boo
     if (own_scratch) {
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
-        RSH_CHECK(rsh_rasterize_query(test::device().rsh, &desc, &sizes));
+        RSH_CHECK(rsh_rasterize_query(context, &desc, &sizes));
         scratch = std::make_unique<test::Bytes>(sizes.scratch_bytes);
         desc.scratch = scratch->get();
     }
-    RSH_CHECK(
-        rsh_rasterize(test::device().rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
+    RSH_CHECK(rsh_rasterize(context, test::device().queue(), &desc, 0, nullptr, nullptr));
     Raster made = {{rays.read(), v.width, v.height}, hits.read()};
     EXPECT_TRUE(rays.guards_intact());
     EXPECT_TRUE(hits.guards_intact());
@@ -103,6 +103,20 @@ TEST(Rasterize, EqualsTracingInImagesOfAnyShape) {
     for (const auto& shape : shapes) {
         if (test::small() && shape[0] * shape[1] > 300) continue;
         expect_same_as_tracing(mesh, view(shape[0], shape[1]));
+    }
+}
+
+// As on a GPU.
+TEST(Rasterize, FindsTheSameWhereAWorkGroupIsATile) {
+    test::Random random(27);
+    const Mesh mesh = test::random_soup(random, 500, 0.4f);
+    const test::DeviceMesh on_device(mesh);
+    const test::OwnContext of_one_lane(1);
+    for (const View& v : {view(3, 2), view(61, 47)}) {
+        const Raster usual = rasterize(on_device, v, 0, false);
+        const Raster raster = rasterize(on_device, v, 0, false, of_one_lane.get());
+        EXPECT_TRUE(test::same_bits(raster.rays.rays, usual.rays.rays, "rays"));
+        EXPECT_TRUE(test::same_bits(raster.hits, usual.hits, "hits"));
     }
 }
 
