@@ -14,12 +14,14 @@
 
 typedef cl_program (*create_function)(cl_context, cl_uint, const char**, const size_t*,
                                       cl_int*);
+typedef cl_program (*load_function)(cl_context, cl_uint, const cl_device_id*, const size_t*,
+                                    const unsigned char**, cl_int*, cl_int*);
 typedef cl_int (*build_function)(cl_program, cl_uint, const cl_device_id*, const char*,
                                  void(CL_CALLBACK*)(cl_program, void*), void*);
 
 typedef struct recorded {
     cl_program program;
-    char* source;
+    char* source; /* NULL: of a binary */
     struct recorded* next;
 } recorded;
 
@@ -75,19 +77,35 @@ static void write_program(const char* folder, const char* options, const char* s
     }
 }
 
+static void remember(cl_program program, char* source) {
+    recorded* const made = malloc(sizeof *made);
+    made->program = program;
+    made->source = source;
+    pthread_mutex_lock(&mutex);
+    made->next = programs;
+    programs = made;
+    pthread_mutex_unlock(&mutex);
+}
+
 cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** strings,
                                      const size_t* lengths, cl_int* status) {
     create_function next;
     find_next("clCreateProgramWithSource", &next);
     const cl_program program = next(context, count, strings, lengths, status);
-    if (!program) return program;
-    recorded* const made = malloc(sizeof *made);
-    made->program = program;
-    made->source = joined(count, strings, lengths);
-    pthread_mutex_lock(&mutex);
-    made->next = programs;
-    programs = made;
-    pthread_mutex_unlock(&mutex);
+    if (program) remember(program, joined(count, strings, lengths));
+    return program;
+}
+
+/* It may get the handle of a program that had a source. */
+cl_program clCreateProgramWithBinary(cl_context context, cl_uint device_count,
+                                     const cl_device_id* devices, const size_t* lengths,
+                                     const unsigned char** binaries, cl_int* binary_status,
+                                     cl_int* status) {
+    load_function next;
+    find_next("clCreateProgramWithBinary", &next);
+    const cl_program program =
+        next(context, device_count, devices, lengths, binaries, binary_status, status);
+    if (program) remember(program, NULL);
     return program;
 }
 
