@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""check_programs.py RECORDED KERNELS - compiles every program that record_programs.c left in the
-folder RECORDED with clang's OpenCL front end, warnings as errors, for every vector width and for a
-GPU and a CPU. Programs and options are those that the library asked for while the tests ran; those
-that a test made of altered kernels are left out.
-Ends with 1 on a warning, when a file of the folder KERNELS is in no program, and when a function of
-a header is used by none of the programs that include it."""
+"""check_programs.py [--write] RECORDED KERNELS - compiles every program that record_programs.c left
+in the folder RECORDED with clang's OpenCL front end, warnings as errors, for every vector width and
+for a GPU and a CPU. Programs and options are those that the library asked for while the tests ran;
+those that a test made of altered kernels are left out.
+Ends with 1 on a warning, when a file of the folder KERNELS is in no program, when a function of a
+header is used by none of the programs that include it, and when programs.txt lists other programs.
+With --write it only writes that list."""
 import os
 import re
 import subprocess
@@ -13,6 +14,8 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from programs import LIST, differences, lines_of, recorded, stem_of
+
 WIDTHS = ("1", "4", "8", "16")
 # The second one has the vector instructions that some headers name.
 TARGETS = (("-target", "spir64"), ("-target", "x86_64", "-march=skylake-avx512"))
@@ -20,53 +23,12 @@ WARNINGS = ("-Wall", "-Wextra", "-Werror")
 # A header serves programs that need only a part of it, so what no program needs is found below.
 WARNINGS += ("-Wno-error=unused-function",)
 # A driver defines the version; clang alone does not.
-OPTIONS = ("-x", "cl", "-fsyntax-only", "-D__OPENCL_VERSION__=120",
+OPTIONS = ("-x", "cl", "-cl-std=CL1.2", "-fsyntax-only", "-D__OPENCL_VERSION__=120",
            "-Xclang", "-finclude-default-header", "-Xclang", "-fdeclare-opencl-builtins")
-
-
-def lines_by_file(source):
-    """The lines that each file has in a program, without its #includes."""
-    found, name = {}, None
-    for line in source.splitlines():
-        mark = re.match(r'#line \d+ "([^"]+)"', line)
-        if mark:
-            name = mark.group(1)
-        else:
-            found.setdefault(name, []).append(line)
-    return found
-
-
-def is_of(kernels, source):
-    """Whether the program is made of the files of the folder as they are."""
-    for name, lines in lines_by_file(source).items():
-        path = kernels / name
-        if path.exists():
-            own = [line for line in path.read_text().splitlines() if not line.startswith('#include "')]
-            if own != lines:
-                return False
-    return True
-
-
-def programs(folder, kernels):
-    """Options without the width, and source, of each program that was recorded."""
-    found = set()
-    for path in sorted(folder.glob("*.cl")):
-        options, source = path.read_text().split("\n", 1)
-        if not is_of(kernels, source):
-            continue
-        words = re.sub(r"-D RSH_WIDTH=\d+", "", options.removeprefix("// ")).split()
-        # clang's front end takes this only when it also generates code.
-        words = [w for w in words if w != "-cl-fp32-correctly-rounded-divide-sqrt"]
-        found.add((tuple(words), source))
-    return sorted(found)
 
 
 def files_of(source):
     return set(re.findall(r'^#line \d+ "([^"]+)"', source, re.MULTILINE))
-
-
-def stem_of(source):
-    return re.match(r'#line 1 "([^"]+)"', source).group(1)
 
 
 def compile_program(job):
@@ -98,8 +60,11 @@ def never_used(idle, including):
 
 
 def main():
-    recorded, kernels = Path(sys.argv[1]), Path(sys.argv[2])
-    found = programs(recorded, kernels)
+    folder, kernels = Path(sys.argv[-2]), Path(sys.argv[-1])
+    found = recorded(folder, kernels)
+    if sys.argv[1] == "--write":
+        LIST.write_text("".join(line + "\n" for line in lines_of(found)))
+        return 0
     jobs = [(options, source, width, target)
             for options, source in found for width in WIDTHS for target in TARGETS]
     failed, idle, including = 0, Counter(), Counter()
@@ -118,9 +83,13 @@ def main():
     absent = sorted(files - including.keys())
     for name in absent:
         print(f"{name}: in no program that a test builds")
+    drift = differences(found)
+    print("\n".join(drift), end="\n" if drift else "")
+    if drift:
+        print(f"the list is written anew by: tests/house/check_programs.py --write {folder} {kernels}")
     print(f"{len({stem_of(source) for _, source in found})} programs with {len(found)} sets of options "
           f"compiled {len(jobs)} times, {failed} with warnings or errors")
-    return 1 if failed or never or absent or not found else 0
+    return 1 if failed or never or absent or drift or not found else 0
 
 
 if __name__ == "__main__":
