@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace bench {
 namespace {
@@ -28,6 +29,10 @@ double milliseconds(const std::function<void()>& work) {
     const std::chrono::duration<double, std::milli> passed =
         std::chrono::steady_clock::now() - start;
     return passed.count();
+}
+
+void let_threads_sleep() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
 }
 
 double PairedTimes::run_pair(const std::function<void()>& base,

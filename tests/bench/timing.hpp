@@ -17,6 +17,10 @@ Spread spread(std::vector<double> values);
 // Milliseconds that `work` takes. Work that enqueues must wait for its end.
 double milliseconds(const std::function<void()>& work);
 
+// Workers of a thread pool spin for a while after their last task. Whoever comes next must not
+// share the cores with them.
+void let_threads_sleep();
+
 class PairedTimes {
 public:
     // Runs `base`, then `work`, once each, and keeps both times. Returns that of `work`, in

@@ -4,37 +4,22 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <thread>
 
 #include "frame/checksum.hpp"
-#include "frame/embree_check.hpp"
+#include "frame/frame_peer.hpp"
 #include "timing.hpp"
 
 namespace bench {
 namespace {
 
-// Workers of a thread pool spin for a while after their last task. Whoever comes next must not
-// share the cores with them.
-void let_threads_sleep() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(3));
-}
-
-// Embree built in one way, with its times of each round.
-struct Embree {
-    EmbreeBuild build;
-    std::unique_ptr<EmbreePeer> peer;
-    PacketMode mode{16, true};
-    std::vector<double> build_ms, trace_ms, total_ms;
-};
-
-// rsh in one column, likewise.
+// rsh in one column, with its times of each round.
 struct Contender {
     Column column;
     std::unique_ptr<RshTracer> tracer;
     size_t mismatches = 0;
     std::string hits_checksum;  // of the checked moment, whatever the number of rounds
     FrameWork work;
-    DifferenceCounts differences;
+    nlohmann::json differences = nlohmann::json::object();  // from the peers' answers
     std::vector<double> total_ms, bound_ms, build_ms, traverse_ms;
 
     // A wrong answer has no speed; seconds per frame tell all there is to tell after one round.
@@ -51,9 +36,7 @@ public:
           scene_(scene),
           row_(row),
           is_shadow_(row.rays == RayKind::kShadow),
-          rays_(device, row.size),
-          hits_(row.size.pixels()),
-          masks_(row.size.pixels()) {}
+          rays_(device, row.size) {}
 
     size_t start(const std::vector<Column>& columns);
     void check();
@@ -61,11 +44,8 @@ public:
     std::vector<Case> cases() const;
 
 private:
-    double trace_embree(Embree& embree, PacketMode mode);
-    void choose_mode(Embree& embree);
     void check(Contender& contender);
     void time_round(double moment);
-    const Embree& best_rebuild() const;
     void put_times(const Contender& contender, nlohmann::json& metrics) const;
     nlohmann::json metrics(const Contender& contender) const;
     nlohmann::json params(const Contender& contender) const;
@@ -76,9 +56,7 @@ private:
     bool is_shadow_;
     RayMaker rays_;
     size_t active_rays_ = 0;
-    std::vector<rsh_hit> hits_;  // Embree's
-    std::vector<cl_uint> masks_;
-    std::vector<Embree> embrees_;
+    std::vector<std::unique_ptr<FramePeer>> peers_;
     std::vector<Contender> contenders_;
 };
 
@@ -96,16 +74,7 @@ size_t RowRun::start(const std::vector<Column>& columns) {
     rays_.make(scene_, row_.rays);
     active_rays_ = rays_.active_count();
     if (active_rays_ == 0) return 0;
-    const auto threads = device_.device().getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-    for (const EmbreeBuild build :
-         {EmbreeBuild::kLow, EmbreeBuild::kMedium, EmbreeBuild::kRefit})
-        embrees_.push_back({build,
-                            std::make_unique<EmbreePeer>(scene_, build, threads),
-                            {16, true},
-                            {},
-                            {},
-                            {}});
-    for (Embree& embree : embrees_) choose_mode(embree);
+    peers_ = make_frame_peers(device_, scene_, rays_, is_shadow_);
     for (const Column& column : columns) {
         contenders_.emplace_back();
         contenders_.back().column = column;
@@ -115,30 +84,8 @@ size_t RowRun::start(const std::vector<Column>& columns) {
     return active_rays_;
 }
 
-double RowRun::trace_embree(Embree& embree, PacketMode mode) {
-    return milliseconds([&] {
-        if (is_shadow_)
-            embree.peer->occlude(rays_, mode, masks_);
-        else
-            embree.peer->trace(rays_, mode, hits_);
-    });
-}
-
-// Embree gets what is quickest for these rays: packets or single rays, either flag.
-void RowRun::choose_mode(Embree& embree) {
-    double best = 1e30;
-    for (const PacketMode mode :
-         {PacketMode{16, true}, PacketMode{16, false}, PacketMode{8, true},
-          PacketMode{8, false}, PacketMode{1, false}}) {
-        const double ms = std::min(trace_embree(embree, mode), trace_embree(embree, mode));
-        if (ms >= best) continue;
-        best = ms;
-        embree.mode = mode;
-    }
-}
-
 void RowRun::check() {
-    trace_embree(embrees_.front(), embrees_.front().mode);
+    for (const auto& peer : peers_) peer->answer();
     for (Contender& contender : contenders_) check(contender);
 }
 
@@ -154,12 +101,11 @@ void RowRun::check(Contender& contender) {
     if (is_shadow_) {
         const auto ours = contender.tracer->occlusion();
         contender.hits_checksum = checksum(ours);
-        contender.differences =
-            compare_occlusion(device_, scene_, rays_, ours, *embrees_.front().peer, masks_);
+        for (const auto& peer : peers_) peer->compare_occlusion(ours, contender.differences);
     } else {
         const auto ours = contender.tracer->hits();
         contender.hits_checksum = checksum(ours);
-        contender.differences = compare_hits(scene_, rays_, ours, hits_);
+        for (const auto& peer : peers_) peer->compare(ours, contender.differences);
     }
     contender.work = contender.tracer->count(rays_.buffer(), active_rays_);
 }
@@ -176,12 +122,7 @@ void RowRun::time_round(double moment) {
         contender.build_ms.push_back(times.build);
         contender.traverse_ms.push_back(times.traverse);
     }
-    for (Embree& embree : embrees_) {
-        let_threads_sleep();
-        embree.build_ms.push_back(milliseconds([&] { embree.peer->build(); }));
-        embree.trace_ms.push_back(trace_embree(embree, embree.mode));
-        embree.total_ms.push_back(embree.build_ms.back() + embree.trace_ms.back());
-    }
+    for (const auto& peer : peers_) peer->time_round();
 }
 
 void RowRun::time(const RowSettings& settings) {
@@ -198,17 +139,6 @@ void RowRun::time(const RowSettings& settings) {
     }
 }
 
-const Embree& RowRun::best_rebuild() const {
-    const Embree &low = embrees_[0], &medium = embrees_[1];
-    return spread(low.total_ms).median <= spread(medium.total_ms).median ? low : medium;
-}
-
-Spread ratio(const std::vector<double>& base, const std::vector<double>& work) {
-    std::vector<double> ratios;
-    for (size_t i = 0; i < work.size(); ++i) ratios.push_back(base[i] / work[i]);
-    return spread(ratios);
-}
-
 nlohmann::json RowRun::params(const Contender& contender) const {
     return {{"scene", row_.scene.name},
             {"triangles", scene_.geometry().triangle_count},
@@ -222,26 +152,15 @@ nlohmann::json RowRun::params(const Contender& contender) const {
 }
 
 void RowRun::put_times(const Contender& c, nlohmann::json& metrics) const {
-    const Embree &best = best_rebuild(), &refit = embrees_[2];
     const Spread total = spread(c.total_ms);
-    const Spread against = ratio(best.total_ms, c.total_ms);
     metrics.update({{"ms_total", total.median},
                     {"ms_total_low", total.low},
                     {"ms_total_high", total.high},
                     {"ms_bound", spread(c.bound_ms).median},
                     {"ms_build", spread(c.build_ms).median},
                     {"ms_traverse", spread(c.traverse_ms).median},
-                    {"embree_build", name_of(best.build)},
-                    {"embree_packet", best.mode.width},
-                    {"embree_build_ms", spread(best.build_ms).median},
-                    {"embree_trace_ms", spread(best.trace_ms).median},
-                    {"embree_refit_ms", spread(refit.build_ms).median},
-                    {"embree_refit_trace_ms", spread(refit.trace_ms).median},
-                    {"ratio_embree", against.median},
-                    {"ratio_embree_low", against.low},
-                    {"ratio_embree_high", against.high},
-                    {"ratio_embree_refit", ratio(refit.total_ms, c.total_ms).median},
                     {"rounds", c.total_ms.size()}});
+    for (const auto& peer : peers_) peer->put_times(c.total_ms, metrics);
 }
 
 nlohmann::json RowRun::metrics(const Contender& c) const {
@@ -249,12 +168,9 @@ nlohmann::json RowRun::metrics(const Contender& c) const {
                               {"pairs_peak", c.work.peak_pairs},
                               {"bytes_peak", c.tracer->bytes()},
                               {"launches", c.work.launches},
-                              {"embree_same_distance", c.differences.same_distance},
-                              {"embree_edge", c.differences.edge},
-                              {"embree_grazing", c.differences.grazing},
-                              {"embree_other", c.differences.other},
                               {"mismatches", c.mismatches},
                               {"hits_checksum", c.hits_checksum}};
+    metrics.update(c.differences);
     if (c.mismatches == 0) put_times(c, metrics);
     return metrics;
 }

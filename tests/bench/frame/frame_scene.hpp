@@ -5,33 +5,21 @@
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
-#include "model/model.hpp"
+#include "frame/still_scene.hpp"
 
 namespace bench {
-
-enum class Reflector { kSphere, kFloor, kFloor45, kSeveral, kGlass, kFile };
-
-struct SceneSpec {
-    std::string name;  // "room-sphere-80k", "kitchen"
-    Reflector reflector = Reflector::kSphere;
-    int64_t triangles = 0;  // of a room
-    std::string file;       // of Reflector::kFile
-    bool is_rigid = false;  // moved as a whole: meshes whose makers ask not to deform them
-};
 
 class FrameScene {
 public:
     // Reads files; throws std::runtime_error when one is missing.
     explicit FrameScene(const SceneSpec& spec);
 
-    const render::Mesh& mesh() const { return mesh_; }  // at rest
-    const std::vector<rsh_material>& materials() const { return materials_; }
-    const std::vector<render::Light>& lights() const { return lights_; }
-    const render::Camera& camera() const { return camera_; }
+    const render::Mesh& mesh() const { return still_.mesh; }  // at rest
+    const std::vector<rsh_material>& materials() const { return still_.materials; }
+    const std::vector<render::Light>& lights() const { return still_.lights; }
+    const render::Camera& camera() const { return still_.camera; }
 
     // Writes all vertices at `time`; every one moves with it, smoothly in place and time.
     void move(double time, std::vector<glm::vec3>& positions) const;
@@ -45,10 +33,7 @@ public:
 private:
     void make_motion(bool is_rigid);
 
-    render::Mesh mesh_;
-    std::vector<rsh_material> materials_;
-    std::vector<render::Light> lights_;
-    render::Camera camera_;
+    StillScene still_;
     bool is_glass_;
     std::vector<glm::vec3> sway_;  // per vertex: where it goes from its place of rest
 };

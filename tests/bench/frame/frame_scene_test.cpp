@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <random>
 #include <tuple>
+
+#include "scene/world.hpp"
 
 namespace bench {
 namespace {
@@ -107,6 +111,30 @@ TEST(FrameScene, TurnsTheFloorBy45DegreesWithCameraAndLights) {
     const auto& p = turned.mesh().positions;
     const glm::vec3 n = glm::normalize(glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]));
     EXPECT_NEAR(n.y, std::sqrt(0.5f), 1e-4);
+}
+
+// The room takes a way of its own to the device's structs, without what reads scene files.
+TEST(FrameScene, HasTheBitsOfTheSameRoomInASceneFile) {
+    render::SceneDescription description;
+    render::MeshEntry& entry = description.meshes.emplace_back();
+    entry.room.triangles = 10000;
+    entry.room.mirror_sphere = entry.room.glass = false;
+    entry.room.mirror_floor = true;
+    entry.transform =
+        glm::rotate(glm::mat4(1.0f), glm::radians(45.0f), glm::vec3(0.6f, 0.0f, 0.8f));
+    const render::World world(description);
+    const FrameScene scene = room(Reflector::kFloor45, 10000);
+    EXPECT_EQ(scene.mesh().positions, world.mesh().positions);
+    EXPECT_EQ(scene.mesh().normals, world.mesh().normals);
+    EXPECT_EQ(scene.mesh().triangles, world.mesh().triangles);
+    EXPECT_EQ(scene.mesh().material_ids, world.mesh().material_ids);
+    EXPECT_EQ(scene.camera().eye, world.camera().eye);
+    EXPECT_EQ(scene.camera().up, world.camera().up);
+    EXPECT_EQ(scene.lights()[1].position, world.lights()[1].position);
+    ASSERT_EQ(scene.materials().size(), world.materials().size());
+    EXPECT_EQ(std::memcmp(scene.materials().data(), world.materials().data(),
+                          scene.materials().size() * sizeof(rsh_material)),
+              0);
 }
 
 TEST(FrameScene, HasAPointLight) {

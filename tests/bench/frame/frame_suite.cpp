@@ -9,6 +9,7 @@
 
 #include "frame/build_rows.hpp"
 #include "frame/frame_measure.hpp"
+#include "frame/frame_peer.hpp"
 #include "frame/frame_summary.hpp"
 #include "progress.hpp"
 
@@ -70,16 +71,11 @@ void print_build(const Case& c) {
 void print_frame(const Case& c) {
     const nlohmann::json& m = c.metrics;
     fmt::print(
-        "{}\n    {:.2f} ms (bound {:.2f}, build {:.2f}, traverse {:.2f}); Embree {} "
-        "{:.2f} + {:.2f}, refit {:.2f} + {:.2f}; ratio {:.2f}, refit {:.2f}; "
+        "{}\n    {:.2f} ms (bound {:.2f}, build {:.2f}, traverse {:.2f}){}; "
         "{:.0f} tests/ray, {} mismatches\n",
         c.name, m["ms_total"].get<double>(), m["ms_bound"].get<double>(),
-        m["ms_build"].get<double>(), m["ms_traverse"].get<double>(),
-        m["embree_build"].get<std::string>(), m["embree_build_ms"].get<double>(),
-        m["embree_trace_ms"].get<double>(), m["embree_refit_ms"].get<double>(),
-        m["embree_refit_trace_ms"].get<double>(), m["ratio_embree"].get<double>(),
-        m["ratio_embree_refit"].get<double>(), m["tests_per_ray"].get<double>(),
-        m["mismatches"].get<size_t>());
+        m["ms_build"].get<double>(), m["ms_traverse"].get<double>(), frame_peer_text(m),
+        m["tests_per_ray"].get<double>(), m["mismatches"].get<size_t>());
     std::fflush(stdout);
 }
 

@@ -36,7 +36,7 @@ int64_t triangles(const Case& c) {
 }
 
 bool is_frame(const Case& c) {
-    return c.ok && c.metrics.contains("ratio_embree");
+    return c.ok && c.metrics.contains("ms_total");
 }
 
 // 128x128, 256x256 and 2048x2048 are there for the exponent only.
@@ -59,17 +59,19 @@ Cases of_kind(const Cases& cases, const char* rays) {
     return select(cases, [&](const Case& c) { return is_frame(c) && text(c, "rays") == rays; });
 }
 
-std::vector<double> values(const Cases& cases, const char* metric) {
-    std::vector<double> all;
-    for (const Case* c : cases) all.push_back(number(*c, metric));
-    return all;
+// Cases have no ratio to peers that rsh-bench was built without.
+Cases with(const char* metric, const Cases& cases) {
+    return select(cases, [&](const Case& c) { return c.metrics.contains(metric); });
 }
 
-void put_mean(json& out, const char* name, const Cases& cases, const char* metric) {
-    if (!cases.empty()) out[name] = geometric_mean(values(cases, metric));
+void put_mean(json& out, const char* name, const Cases& all, const char* metric) {
+    std::vector<double> values;
+    for (const Case* c : with(metric, all)) values.push_back(number(*c, metric));
+    if (!values.empty()) out[name] = geometric_mean(values);
 }
 
-void put_least(json& out, const std::string& name, const Cases& cases, const char* metric) {
+void put_least(json& out, const std::string& name, const Cases& all, const char* metric) {
+    const Cases cases = with(metric, all);
     if (cases.empty()) return;
     const Case* least = *std::min_element(
         cases.begin(), cases.end(),

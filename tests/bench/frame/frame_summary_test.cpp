@@ -98,6 +98,18 @@ TEST(FrameSummary, KeepsUpdatedFramesApart) {
     EXPECT_EQ(seen, 2u);
 }
 
+TEST(FrameSummary, HasNoRatioToAPeerThatIsNotThere) {
+    auto cases = some_cases();
+    for (Case& c : cases)
+        for (const char* metric : {"ratio_embree", "ratio_embree_refit"})
+            c.metrics.erase(metric);
+    const auto tiles = of_engine(summarize(cases), "tiles");
+    EXPECT_FALSE(tiles.contains("ratio_embree"));
+    EXPECT_FALSE(tiles.contains("ratio_embree_least"));
+    EXPECT_NEAR(tiles["ns_per_triangle"], 10.0, 1e-6);
+    EXPECT_NEAR(tiles["quicker_700k"], 20.0, 1e-9);
+}
+
 TEST(FrameSummary, LeavesOutWhatWasWrong) {
     auto cases = some_cases();
     cases[3].ok = false;

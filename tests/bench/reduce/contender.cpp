@@ -86,17 +86,20 @@ const char* name_of(Keep keep) {
 }
 
 std::vector<std::string> peer_names() {
-    return {"peer:copy",        "peer:copy_buffer",     "peer:copy_kernel",
-            "peer:copy_stream", "peer:empty_launch",    "peer:boost_compute",
-            "peer:std_copy_if", "peer:parallel_copy_if"};
+    std::vector<std::string> names = {"peer:copy",         "peer:copy_buffer",
+                                      "peer:copy_kernel",  "peer:copy_stream",
+                                      "peer:empty_launch", "peer:std_copy_if"};
+    const std::vector<std::string> libraries = library_names();
+    names.insert(names.end(), libraries.begin(), libraries.end());
+    return names;
 }
 
 std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
                                           rsh_context rsh, const DeviceStream& stream,
                                           Keep keep) {
-    if (name == "peer:boost_compute") return make_boost(device, stream);
-    if (name == "peer:std_copy_if" || name == "peer:parallel_copy_if")
-        return make_host(name, stream);
+    if (name == "peer:std_copy_if") return make_host(stream);
+    for (const std::string& library : library_names())
+        if (name == library) return make_library(name, device, stream);
     if (name.rfind("peer:", 0) == 0) return make_copy(name, device, stream, stream.output);
     cl_uint strategy = 0;
     require(rsh_strategy_from_name(name.c_str(), &strategy), "rsh_strategy_from_name");

@@ -33,10 +33,11 @@ public:
 enum class Keep { kNotNull, kFlags, kBits };
 const char* name_of(Keep keep);
 
-// Makes the contender of that name for a stream; null if it cannot take it.
+// Makes the contender of that name for a stream; null if it cannot take it. Throws
+// std::runtime_error when there is none of that name.
 //   a strategy's name; peer:copy_buffer, clEnqueueCopyBuffer; peer:copy_kernel, a kernel;
-//   peer:copy, the quicker one of these; peer:copy_stream, a kernel that stores past the caches; peer:empty_launch; peer:boost_compute,
-//   peer:std_copy_if, peer:parallel_copy_if
+//   peer:copy, the quicker one of these; peer:copy_stream, a kernel that stores past the caches;
+//   peer:empty_launch; peer:std_copy_if; a library's name
 std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
                                           rsh_context rsh, const DeviceStream& stream,
                                           Keep keep);
@@ -44,8 +45,13 @@ std::vector<std::string> peer_names();  // in this process
 
 std::unique_ptr<Contender> make_copy(const std::string& name, const Device& device,
                                      const DeviceStream& stream, const cl::Buffer& to);
-std::unique_ptr<Contender> make_boost(const Device& device, const DeviceStream& stream);
-std::unique_ptr<Contender> make_host(const std::string& name, const DeviceStream& stream);
+std::unique_ptr<Contender> make_host(const DeviceStream& stream);
+
+// Other libraries in this process: those of the folder libraries/, or none without
+// RSH_BENCH_PEERS. make_library() takes only these names.
+std::vector<std::string> library_names();
+std::unique_ptr<Contender> make_library(const std::string& name, const Device& device,
+                                        const DeviceStream& stream);
 
 // The first `count` elements of the output.
 std::vector<cl_uint> read_output(const Device& device, const DeviceStream& stream,

@@ -165,7 +165,7 @@ void require_close(const rsh_statistics& statistics, size_t found, cl_uint level
 }  // namespace
 
 bool has_scenes() {
-    return std::getenv("RSH_SCENES") != nullptr;
+    return kReadsSceneFiles && std::getenv("RSH_SCENES") != nullptr;
 }
 
 std::vector<cl_uchar> make_pair_flags(const Device& device, const std::string& pattern,

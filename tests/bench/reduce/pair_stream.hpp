@@ -8,7 +8,7 @@
 
 namespace bench {
 
-// RSH_SCENES is set: there are scene files to take frames from.
+// RSH_SCENES is set, and this program reads scene files: there are frames to take.
 bool has_scenes();
 
 // "pairs:chinese_dragon_20k:3": tested pairs of level 3 for samples/scenes/chinese_dragon_20k.json

@@ -13,8 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first Python that has the package; Debian's is not always the first in the path.
+// The first Python that has the package; Debian's is not always the first in the path. None where
+// rsh-bench came without its script.
 std::string find_python() {
+    if (!fs::exists(RSH_PYOPENCL_PEER)) return "";
     for (const char* python : {"python3", "/usr/bin/python3"})
         if (std::system(
                 fmt::format("{} -c 'import pyopencl, numpy' 2>/dev/null", python).c_str()) == 0)

@@ -1,8 +1,8 @@
 // embree_check.hpp - all answers of a frame against Embree's, differences counted by cause.
 #pragma once
 
-#include "frame/differences.hpp"
-#include "frame/embree_peer.hpp"
+#include "frame/embree/differences.hpp"
+#include "frame/embree/embree_peer.hpp"
 
 namespace bench {
 

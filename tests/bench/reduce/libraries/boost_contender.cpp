@@ -1,5 +1,5 @@
 // boost_contender.cpp - boost::compute::copy_if over the same buffers and queue.
-#include "reduce/contender.hpp"
+#include "reduce/libraries/libraries.hpp"
 
 #include <boost/compute/algorithm/copy_if.hpp>
 #include <boost/compute/command_queue.hpp>

@@ -1,5 +1,5 @@
 // embree_peer.cpp - scene, builds, and the parallel loop over tiles of rays.
-#include "frame/embree_peer.hpp"
+#include "frame/embree/embree_peer.hpp"
 
 #include <fmt/format.h>
 #include <pmmintrin.h>
@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-#include "frame/embree_packet.hpp"
+#include "frame/embree/embree_packet.hpp"
 
 namespace bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "frame/embree_check.hpp"
+#include "frame/embree/embree_check.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "frame/differences.hpp"
+#include "frame/embree/differences.hpp"
 
 #include <gtest/gtest.h>
 

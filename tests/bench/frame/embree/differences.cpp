@@ -1,5 +1,5 @@
 // differences.cpp - tolerances and the decision.
-#include "frame/differences.hpp"
+#include "frame/embree/differences.hpp"
 
 #include <algorithm>
 #include <cmath>
