@@ -63,7 +63,7 @@ int main(void) {
     require(rsh_build(rsh, queue, &build, 0, NULL, NULL), "rsh_build");
 
     /* Without indices, three vertices in a row are a triangle. As `bounds` is NULL, the call
-     * makes the scene's BVH itself; rsh_bound makes one that several traversals share. As
+     * makes the scene's bounds itself; rsh_bound makes some that several traversals share. As
      * `scratch` is NULL, memory for it comes from the context's pool. */
     rsh_traverse_desc traverse = {.struct_size = sizeof traverse};
     traverse.geometry.vertices = make_buffer(context, sizeof vertices, vertices);

@@ -5,12 +5,13 @@
  * hits into colour. rsh_frame is that loop, made of the same calls; rsh_audit checks hits. Two
  * ways to traverse:
  *
- *   tiles   (the default) rays in packets of 16 x 16, bounded by the hierarchy over the rays, go
- *           front to back through a 16-wide bounding volume hierarchy (BVH16) of the scene,
- *           which rsh_bound makes anew or refits every frame, in time linear in the triangles;
- *   paper_faithful   the method of the paper: spheres around the triangles, no hierarchy on the
- *           scene's side; a stream of (triangle, node) pairs goes down the hierarchy over the
- *           rays, with a stream reduction per level.
+ *   tiles   (the default on CPUs) rays in packets of 16 x 16, bounded by the hierarchy over the
+ *           rays, go front to back through a 16-wide bounding volume hierarchy (BVH16) of the
+ *           scene, which rsh_bound makes anew or refits every frame, in time linear in the
+ *           triangles;
+ *   paper_faithful   (the default elsewhere) the method of the paper: spheres around the
+ *           triangles, no hierarchy on the scene's side; a stream of (triangle, node) pairs goes
+ *           down the hierarchy over the rays, with a stream reduction per level.
  *
  * Paper: Roger, Assarsson, Holzschuch, "Whitted Ray-Tracing for Dynamic Scenes using a Ray-Space
  * Hierarchy on the GPU", EGSR 2007; stream reduction: the same authors, "Efficient Stream
@@ -350,7 +351,8 @@ RSH_API rsh_status rsh_rasterize(rsh_context context, cl_command_queue queue,
 /* The shape of the nodes over the rays, and with it what they are tested against on the scene's
  * side. */
 enum {
-    RSH_SHAPE_DEFAULT = 0, /* box */
+    RSH_SHAPE_DEFAULT = 0, /* what the device's default engine takes: box on CPUs, elsewhere
+                              cone. In rsh_frame_desc: what the frame's engine takes          */
     RSH_SHAPE_CONE = 1,    /* a cone capped by a sphere (Roger et al. 2007), against spheres
                               around the triangles                                            */
     RSH_SHAPE_BOX = 2      /* a box of origins and a box of directions, against the BVH16 of the
@@ -434,7 +436,8 @@ RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
 
 /* How to traverse. */
 enum {
-    RSH_ENGINE_DEFAULT = 0,        /* tiles                                                   */
+    RSH_ENGINE_DEFAULT = 0,        /* auto: what suits the device: tiles on CPUs, elsewhere
+                                      paper_faithful; see rsh_default_engine                  */
     RSH_ENGINE_PAPER_FAITHFUL = 1, /* breadth first, a stream of pairs, a reduction per level;
                                       every triangle starts at the root; shape: cone          */
     RSH_ENGINE_BRUTE_FORCE = 2,    /* every ray against every triangle: the yardstick; takes
@@ -659,7 +662,7 @@ typedef struct rsh_frame_desc {
     float min_weight;     /* secondary rays that weigh no more are left out; 0: only those
                              that cannot matter                                               */
     cl_uint engine;       /* as in rsh_traverse_desc */
-    cl_uint shape;        /* RSH_SHAPE_DEFAULT: what suits the engine */
+    cl_uint shape;        /* RSH_SHAPE_DEFAULT: what the engine takes */
     cl_uint strategy;
     size_t budget;
     cl_mem colour;        /* out: width * height x float4, linear rgb; a = 1 where it sees
@@ -757,18 +760,23 @@ typedef struct rsh_selftest {
 RSH_API rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
                                        rsh_selftest* report);
 
-/* The RSH_SHAPE_... that an engine prefers, which rsh_bound and rsh_build must be told as well;
- * RSH_SHAPE_DEFAULT for one that takes none, or is none. */
+/* The RSH_SHAPE_... that an engine takes, which rsh_bound and rsh_build must be told as well;
+ * RSH_SHAPE_DEFAULT for RSH_ENGINE_DEFAULT, for one that takes none, and for what is none. */
 RSH_API cl_uint rsh_engine_shape(cl_uint engine);
 
-/* Name of a strategy ("chunk"), engine ("tiles") or shape ("box"), and its value for a name;
- * NULL and RSH_INVALID_VALUE when there is none. */
+/* Name of a strategy ("chunk"), engine ("tiles"; RSH_ENGINE_DEFAULT: "auto") or shape ("box"),
+ * and its value for a name; NULL and RSH_INVALID_VALUE when there is none. */
 RSH_API const char* rsh_strategy_name(cl_uint strategy);
 RSH_API const char* rsh_engine_name(cl_uint engine);
 RSH_API const char* rsh_shape_name(cl_uint shape);
 RSH_API rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy);
 RSH_API rsh_status rsh_engine_from_name(const char* name, cl_uint* engine);
 RSH_API rsh_status rsh_shape_from_name(const char* name, cl_uint* shape);
+
+/* The engine that RSH_ENGINE_DEFAULT stands for on the context's device: tiles where work-items
+ * may hold kilobytes of private memory, as on CPUs, else paper_faithful. rsh_engine_shape of it is
+ * what RSH_SHAPE_DEFAULT stands for. */
+RSH_API rsh_status rsh_default_engine(rsh_context context, cl_uint* engine);
 
 #ifdef __cplusplus
 }

@@ -59,8 +59,7 @@ void check_shape(const rsh_frame_desc& desc) {
     require(desc.bounces <= RSH_MAX_LEVELS, "bounces", desc.bounces, "at most ",
             RSH_MAX_LEVELS);
     check_min_weight(desc.min_weight);
-    const Engine& engine = find_engine(desc.engine);
-    if (desc.shape != RSH_SHAPE_DEFAULT) check_node_shape(engine, desc.shape);
+    check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
     check_budget(desc.budget);
     require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_BOUND_... value");
@@ -72,7 +71,7 @@ void check_buffers(const Context& context, const rsh_frame_desc& desc) {
     buffers.out("colour", desc.colour, cl_ulong{desc.width} * desc.height * 16);
     require(!desc.mode || desc.bounds, "mode", desc.mode, "0 without bounds");
     buffers.optional_out("bounds", desc.bounds,
-                         bounds_for(frame_shape(desc).id()).bytes(desc.scene->geometry));
+                         bounds_for(desc.shape).bytes(desc.scene->geometry));
     if (desc.audit_rays) buffers.out("audit", desc.audit, sizeof(rsh_audit_report));
     buffers.scratch(desc.scratch, frame_scratch(context, desc).bytes());
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "api/check.hpp"
+#include "api/settle.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "device/cl/wrong_buffers.hpp"
@@ -23,21 +24,7 @@
 namespace rsh {
 namespace {
 
-// Settles what may change while a call is under way: its strategy.
-template <class Desc>
-void settle(const Context&, Desc&) {}
-
-void settle(const Context& context, rsh_reduce_desc& desc) {
-    desc.strategy = chosen_strategy(context, desc.strategy, desc.count);
-}
-
-void settle(const Context& context, rsh_traverse_desc& desc) {
-    desc.strategy = chosen_strategy(context, desc);
-}
-
-void settle(const Context& context, rsh_frame_desc& desc) {
-    desc.strategy = chosen_strategy(context, desc);
-}
+constexpr const char* kDefaultEngineName = "auto";
 
 // Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so
 // also when `pass` throws.
@@ -50,9 +37,7 @@ rsh_status enqueue(rsh_context context, const Submission& submission, const Desc
         const Received<Desc> received(desc);
         check_submission(checked, submission.queue, submission.wait_count,
                          submission.wait_list);
-        check_shape(*received);
-        Desc settled = *received;
-        settle(checked, settled);
+        const Desc settled = settled_shape(checked, *received);
         check_buffers(checked, settled);
         Recorder recorder(checked, submission, done);
         pass(recorder, settled);
@@ -67,9 +52,7 @@ rsh_status query(rsh_context context, const Desc* desc, rsh_sizes* sizes, Measur
         const Context& checked = checked_context(context);
         const Received<Desc> received(desc);
         check_struct(sizes, "sizes", "sizes.struct_size");
-        check_shape(*received);
-        Desc settled = *received;
-        settle(checked, settled);
+        const Desc settled = settled_shape(checked, *received);
         hand_back(measure(checked, settled), sizes);
     });
 }
@@ -110,11 +93,14 @@ const char* name_of(const Choices<Choice>& choices, cl_uint id) {
     return nullptr;
 }
 
+// default_name: of the value 0; NULL: it has none.
 template <class Choice>
-cl_uint id_of(const Choices<Choice>& choices, const char* name) {
+cl_uint id_of(const Choices<Choice>& choices, const char* name, const char* default_name) {
     require_not_null(name, "name");
+    if (default_name && std::strcmp(default_name, name) == 0) return 0;
     char known[512];
     Text list(known, sizeof known);
+    if (default_name) list.add(default_name, ", ");
     for (const Choice* choice : choices) {
         if (std::strcmp(choice->name(), name) == 0) return choice->id();
         list.add(choice == &choices.front() ? "" : ", ", choice->name());
@@ -326,13 +312,22 @@ const char* rsh_strategy_name(cl_uint strategy) {
     return rsh::name_of(rsh::strategies(), strategy);
 }
 
+rsh_status rsh_default_engine(rsh_context context, cl_uint* engine) {
+    return rsh::guarded([&] {
+        rsh::Context& checked = rsh::checked_context(context);
+        rsh::require_not_null(engine, "engine");
+        *engine = rsh::default_engine(checked.caps).id();
+    });
+}
+
 const char* rsh_engine_name(cl_uint engine) {
+    if (engine == RSH_ENGINE_DEFAULT) return rsh::kDefaultEngineName;
     return rsh::name_of(rsh::engines(), engine);
 }
 
 cl_uint rsh_engine_shape(cl_uint engine) {
     for (const rsh::Engine* known : rsh::engines())
-        if (known->id() == engine || engine == RSH_ENGINE_DEFAULT) return known->node_shape();
+        if (known->id() == engine) return known->node_shape();
     return RSH_SHAPE_DEFAULT;
 }
 
@@ -343,21 +338,21 @@ const char* rsh_shape_name(cl_uint shape) {
 rsh_status rsh_strategy_from_name(const char* name, cl_uint* strategy) {
     return rsh::guarded([&] {
         rsh::require_not_null(strategy, "strategy");
-        *strategy = rsh::id_of(rsh::strategies(), name);
+        *strategy = rsh::id_of(rsh::strategies(), name, nullptr);
     });
 }
 
 rsh_status rsh_engine_from_name(const char* name, cl_uint* engine) {
     return rsh::guarded([&] {
         rsh::require_not_null(engine, "engine");
-        *engine = rsh::id_of(rsh::engines(), name);
+        *engine = rsh::id_of(rsh::engines(), name, rsh::kDefaultEngineName);
     });
 }
 
 rsh_status rsh_shape_from_name(const char* name, cl_uint* shape) {
     return rsh::guarded([&] {
         rsh::require_not_null(shape, "shape");
-        *shape = rsh::id_of(rsh::node_shapes(), name);
+        *shape = rsh::id_of(rsh::node_shapes(), name, nullptr);
     });
 }
 

@@ -7,10 +7,9 @@ namespace rsh {
 const SceneBounds& bvh16_bounds();
 const SceneBounds& sphere_bounds();
 
-// The first one is the default.
 const SceneBounds& bounds_for(cl_uint shape) {
     for (const SceneBounds* bounds : {&bvh16_bounds(), &sphere_bounds()})
-        if (shape == bounds->shape() || shape == RSH_SHAPE_DEFAULT) return *bounds;
+        if (shape == bounds->shape()) return *bounds;
     throw Error(RSH_INVALID_VALUE, "shape: is ", shape, ", must be RSH_SHAPE_...");
 }
 

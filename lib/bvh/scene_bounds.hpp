@@ -17,7 +17,7 @@ public:
     virtual void bound(Recorder& recorder, const rsh_bound_desc& desc) const = 0;
 };
 
-const SceneBounds& bounds_for(cl_uint shape);  // throws; RSH_SHAPE_DEFAULT: bvh16
+const SceneBounds& bounds_for(cl_uint shape);  // throws
 
 // Bounds the triangles.
 void bound(Recorder& recorder, const rsh_bound_desc& desc);

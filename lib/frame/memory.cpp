@@ -39,7 +39,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     pass.width = desc.width;
     pass.height = desc.height;
     pass.engine = desc.engine;
-    pass.shape = frame_shape(desc).id();
+    pass.shape = desc.shape;
     pass.strategy = desc.strategy;
     pass.budget = desc.budget;
     return pass;
@@ -47,7 +47,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
 
 // What rays below the camera's need, and only if there are any.
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
-    const NodeShape& shape = frame_shape(desc);
+    const NodeShape& shape = find_shape(desc.shape);
     const SceneBounds& bounds = bounds_for(shape.id());
     const rsh_geometry& geometry = desc.scene->geometry;
     layout.add_array<cl_uint>("wrong buffers", 1);
@@ -63,11 +63,6 @@ void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc&
 }
 
 }  // namespace
-
-const NodeShape& frame_shape(const rsh_frame_desc& desc) {
-    if (desc.shape != RSH_SHAPE_DEFAULT) return find_shape(desc.shape);
-    return find_shape(find_engine(desc.engine).node_shape());
-}
 
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
     return chosen_strategy(context, traverse_of(desc));
@@ -123,9 +118,12 @@ rsh_rasterize_desc FrameMemory::rasterize() const {
 }
 
 rsh_bound_desc FrameMemory::bound() const {
-    return {sizeof(rsh_bound_desc),    desc_.scene->geometry,
-            frame_shape(desc_).id(),   bounds(),
-            scratch_["bound scratch"], desc_.mode};
+    return {sizeof(rsh_bound_desc),
+            desc_.scene->geometry,
+            desc_.shape,
+            bounds(),
+            scratch_["bound scratch"],
+            desc_.mode};
 }
 
 rsh_build_desc FrameMemory::build(cl_uint bounce) const {
@@ -135,7 +133,7 @@ rsh_build_desc FrameMemory::build(cl_uint bounce) const {
             desc_.height,
             scratch_["nodes"],
             0,
-            frame_shape(desc_).id(),
+            desc_.shape,
             scratch_["build scratch"]};
 }
 
@@ -212,7 +210,7 @@ rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
             desc_.height,
             scratch_["nodes"],
             desc_.scene->positional_lights >> light & 1,
-            frame_shape(desc_).id(),
+            desc_.shape,
             scratch_["build scratch"]};
 }
 

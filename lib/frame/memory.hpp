@@ -8,8 +8,6 @@
 
 namespace rsh {
 
-// The shape of a frame's nodes: the caller's choice, else what suits the engine.
-const NodeShape& frame_shape(const rsh_frame_desc& desc);
 // The strategy of all its traversals; see reduce/strategy.hpp.
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc);
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc);

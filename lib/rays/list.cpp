@@ -7,14 +7,12 @@ namespace rsh {
 const NodeShape& box_shape();
 const NodeShape& cone_shape();
 
-// The first one is the default.
 Choices<NodeShape> node_shapes() {
     static const NodeShape* const all[] = {&box_shape(), &cone_shape()};
     return all;
 }
 
 const NodeShape& find_shape(cl_uint id) {
-    if (id == RSH_SHAPE_DEFAULT) return node_shapes().front();
     for (const NodeShape* shape : node_shapes())
         if (shape->id() == id) return *shape;
     throw Error(RSH_INVALID_VALUE, "shape: is ", id, ", must be RSH_SHAPE_...");

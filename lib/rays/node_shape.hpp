@@ -21,7 +21,7 @@ public:
 };
 
 Choices<NodeShape> node_shapes();
-const NodeShape& find_shape(cl_uint id);  // throws; RSH_SHAPE_DEFAULT: box
+const NodeShape& find_shape(cl_uint id);  // throws
 
 // Builds the hierarchy over the rays.
 void build(Recorder& recorder, const rsh_build_desc& desc);

@@ -23,6 +23,8 @@ public:
     // RSH_SHAPE_... of the nodes that it takes; RSH_SHAPE_DEFAULT: it needs neither bounds nor
     // nodes.
     virtual cl_uint node_shape() const noexcept = 0;
+    // Whether its kernels are made for what the device reports; only then it may be the default.
+    virtual bool suits(const DeviceCaps&) const noexcept { return true; }
     // Elements of the longest stream that it reduces; 0: it takes no strategy.
     virtual cl_uint longest_stream(const rsh_traverse_desc&) const { return 0; }
     // Reads none of the descriptor's buffers, not even whether they are there.
@@ -32,7 +34,9 @@ public:
 };
 
 Choices<Engine> engines();
-const Engine& find_engine(cl_uint id);  // throws; RSH_ENGINE_DEFAULT: the quickest
+const Engine& find_engine(cl_uint id);  // throws
+// What RSH_ENGINE_DEFAULT stands for: the first one that suits the device.
+const Engine& default_engine(const DeviceCaps& caps) noexcept;
 
 // Finds what the rays hit.
 void traverse(Recorder& recorder, const rsh_traverse_desc& desc);

@@ -109,6 +109,7 @@ TEST_F(Misuse, OfBoundsThatAFrameUpdates) {
 
 TEST_F(Misuse, OfScratchForListsOfRays) {
     auto list = valid_.build();
+    list.shape = RSH_SHAPE_BOX;
     list.width *= list.height;
     list.height = 1;
     const test::Buffer<uint8_t> nodes(1u << 20);
@@ -220,10 +221,10 @@ TEST_F(Misuse, OfTraverseIsRefused) {
                       d.occlusion_bit = 32;
                   },
                   RSH_INVALID_VALUE, {"occlusion_bit", "32"});
-    refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_PAPER_FAITHFUL; },
-                  RSH_INVALID_VALUE, {"shape", "box", "cone", "paper_faithful"});
-    refuses<Desc>(desc,
-                  [](Desc& d) { d.engine = RSH_ENGINE_DEFAULT, d.shape = RSH_SHAPE_CONE; },
+    refuses<Desc>(
+        desc, [](Desc& d) { d.engine = RSH_ENGINE_PAPER_FAITHFUL, d.shape = RSH_SHAPE_BOX; },
+        RSH_INVALID_VALUE, {"shape", "box", "cone", "paper_faithful"});
+    refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_TILES, d.shape = RSH_SHAPE_CONE; },
                   RSH_INVALID_VALUE, {"shape", "cone", "box", "tiles"});
     refuses<Desc>(desc, [](Desc& d) { d.shape = 77, d.engine = RSH_ENGINE_DEFAULT; },
                   RSH_INVALID_VALUE, {"shape", "77"});

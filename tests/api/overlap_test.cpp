@@ -47,6 +47,7 @@ TEST_F(Overlap, OfWholeBuffersIsRefusedByEveryCall) {
     traverse.rays = traverse.hits = whole_();
     refuses(traverse, "hits", "rays");
     traverse.engine = RSH_ENGINE_TILES;
+    traverse.shape = RSH_SHAPE_BOX;
     traverse.rays = valid_.rays.get();
     traverse.nodes = whole_();
     refuses(traverse, "hits", "nodes");

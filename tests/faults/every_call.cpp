@@ -67,6 +67,7 @@ void EveryCall::finish() const {
 rsh_bound_desc EveryCall::bound(cl_uint mode) const {
     rsh_bound_desc desc = valid_.bound();
     desc.bounds = box_bounds_.get();
+    desc.shape = RSH_SHAPE_BOX;
     desc.mode = mode;
     return desc;
 }
@@ -74,6 +75,7 @@ rsh_bound_desc EveryCall::bound(cl_uint mode) const {
 rsh_build_desc EveryCall::build(bool is_list) const {
     rsh_build_desc desc = valid_.build();
     desc.nodes = (is_list ? list_nodes_ : box_nodes_).get();
+    desc.shape = RSH_SHAPE_BOX;
     if (is_list) desc.width = kRays, desc.height = 1;
     return desc;
 }
@@ -125,6 +127,10 @@ void EveryCall::add_information(std::vector<Call>& calls) const {
     calls.push_back({"rsh_engine_from_name", [] {
                          cl_uint value = 0;
                          return rsh_engine_from_name("paper", &value);
+                     }});
+    calls.push_back({"rsh_default_engine", [this] {
+                         cl_uint engine = 0;
+                         return rsh_default_engine(rsh_.get(), &engine);
                      }});
     calls.push_back({"rsh_shape_from_name", [] {
                          cl_uint value = 0;

@@ -166,6 +166,8 @@ public:
     cl_uint id() const noexcept override { return RSH_ENGINE_PAPER; }
     const char* name() const noexcept override { return "paper"; }
     cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
+    // A work-item holds 16 nodes, or the rays of a block: kilobytes of private memory.
+    bool suits(const DeviceCaps& caps) const noexcept override { return caps.is_cpu; }
 
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
                    BoundsFrom from) const override {

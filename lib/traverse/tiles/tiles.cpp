@@ -26,6 +26,8 @@ public:
     cl_uint id() const noexcept override { return RSH_ENGINE_TILES; }
     const char* name() const noexcept override { return "tiles"; }
     cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
+    // A work-item holds a whole tile's packets, kilobytes of private memory.
+    bool suits(const DeviceCaps& caps) const noexcept override { return caps.is_cpu; }
 
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
                    BoundsFrom from) const override {

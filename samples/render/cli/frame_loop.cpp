@@ -57,7 +57,10 @@ RunReport begin_report(const Device& device, const World& world,
     RunReport report;
     report.device = device.name();
     report.platform = device.platform();
-    report.engine = settings.engine == 0 ? "default" : rsh_engine_name(settings.engine);
+    cl_uint engine = settings.engine;
+    if (engine == RSH_ENGINE_DEFAULT)
+        require(rsh_default_engine(device.rsh(), &engine), "rsh_default_engine");
+    report.engine = rsh_engine_name(engine);
     report.strategy = settings.strategy == 0 ? "default" : rsh_strategy_name(settings.strategy);
     report.triangles = world.mesh().triangles.size();
     report.size = settings.size;

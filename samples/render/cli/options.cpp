@@ -80,7 +80,8 @@ void add_picture_options(CLI::App& app, Options& o) {
 }
 
 void add_tracing_options(CLI::App& app, Options& o) {
-    app.add_option("--engine", named(rsh_engine_from_name, o.engine), "Way to traverse");
+    app.add_option("--engine", named(rsh_engine_from_name, o.engine),
+                   "Way to traverse; auto: what suits the device");
     app.add_option("--bound", named(rsh_shape_from_name, o.bound), "Shape of the nodes");
     app.add_option("--strategy", named(rsh_strategy_from_name, o.strategy), "Way to reduce");
     add_size(app, "--budget", o.budget, "Bytes for the pair streams, e.g. 64M");
