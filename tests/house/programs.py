@@ -21,7 +21,9 @@ def lines_by_file(source):
 
 
 def is_of(kernels, source):
-    """Whether the program is made of the files of the folder as they are."""
+    """Whether the library made the program, of the files of the folder as they are."""
+    if not source.startswith("#line "):
+        return False
     for name, lines in lines_by_file(source).items():
         path = kernels / name
         if path.exists():
@@ -42,7 +44,7 @@ def own_options(text):
 
 def recorded(folder, kernels):
     """Options and source of each program that was recorded, but those that a test made of altered
-    kernels."""
+    kernels, or without the library."""
     found = set()
     for path in sorted(folder.glob("*.cl")):
         options, source = path.read_text().split("\n", 1)
