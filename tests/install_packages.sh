@@ -9,8 +9,8 @@ library=(build-essential cmake ninja-build pkg-config ca-certificates
     ocl-icd-opencl-dev opencl-c-headers pocl-opencl-icd)
 samples=("${library[@]}" opencl-clhpp-headers libopenmesh-dev libopenimageio-dev libglm-dev libcli11-dev
     libfmt-dev libarchive-dev libtinyobjloader-dev nlohmann-json3-dev)
-tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind git python3
-    clang clang-format clang-tidy)
+tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind git python3 python3-venv
+    clang clang-format clang-tidy libclc-14)
 bench=("${samples[@]}" libbenchmark-dev libboost-dev libembree-dev libtbb-dev
     python3-pyopencl python3-numpy python3-matplotlib)
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # run.sh - all tests and checks with one command, on a bare Debian 12: installs what is missing, then
 #   1. builds the release with gcc, warnings as errors, and runs ctest,
-#   2. checks the house: clang's warnings, clang-format, clang-tidy on what changed, and every OpenCL
-#      program that the tests built through clang's front end,
+#   2. checks the house: clang's warnings, clang-format, clang-tidy on what changed, every OpenCL
+#      program that the tests built through clang's front end, and what their kernels take on GPUs,
 #   3. runs the tests again with the host code under the address and undefined-behaviour sanitizers,
 #   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers.
 # Without an OpenCL device it fails. Builds in build/release, build/clang and build/asan of the tree;
@@ -73,6 +73,8 @@ check_house() {
     tests/house/tidy.py build/clang
     step "house: OpenCL programs"
     tests/house/check_programs.py "$results/programs" kernels
+    step "house: kernels on GPUs"
+    tests/house/gpu_kernels.py
 }
 
 # Leaks are not looked for: PoCL and the LLVM inside of it keep what they allocate until the
