@@ -147,4 +147,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except gpu_compile.CannotCompile as failure:
+        sys.exit(str(failure))
