@@ -230,11 +230,12 @@ TEST_F(FailedEvent, IsToldByTheDeviceStatus) {
 TEST_F(FailedEvent, OfACallBeforeIsNoStrategysFault) {
     const test::OwnContext context;
     const cl::CommandQueue queue = new_queue();
+    rsh_selftest report = {};
+    report.struct_size = sizeof report;
+    RSH_CHECK(rsh_device_selftest(context.get(), queue(), &report));  // compiles
     RSH_CHECK(calls.reduce()(queue(), 1, &gate(), nullptr));
     queue.flush();
     std::thread failing = failing_later();
-    rsh_selftest report = {};
-    report.struct_size = sizeof report;
     const Outcome outcome =
         watched([&] { return rsh_device_selftest(context.get(), queue(), &report); });
     failing.join();

@@ -86,6 +86,7 @@ TEST_P(Engine, FindsTheHitsOfBruteForceAfterAnUpdate) {
     for (test::Float3& v : moved.vertices) v = v + 0.01f * max_norm(v) * random.direction();
     const DeviceMesh then(c.mesh), now(moved);
     TraceOptions way;
+    way.engine = RSH_ENGINE_TILES;
     way.own_bounds = true;
     way.earlier = {&then};
     EXPECT_TRUE(test::same_bits(closest_hits(now, c.rays, way),

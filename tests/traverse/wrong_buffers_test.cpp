@@ -169,6 +169,7 @@ TEST(WrongBuffersOfFrames, AreAnError) {
     test::FrameOptions options;
     options.width = options.height = 16;
     options.bounces = 1;
+    options.engine = RSH_ENGINE_TILES;
     options.bounds = bounds.get();
     options.update = RSH_BOUND_REFIT;
     EXPECT_THROW(test::frame(scene, options), std::exception);
