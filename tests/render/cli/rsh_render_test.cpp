@@ -162,6 +162,26 @@ TEST_F(RshRender, SaysThatPoclNeedsAFolderForItsCache) {
     }
 }
 
+// On a device that says that it is a GPU: tests/support/layers/gpu.cpp.
+TEST_F(RshRender, DrawsTheSamePictureByTheEngineThatSuitsTheDevice) {
+    const auto picture_of = [&](const std::string& options, const std::string& environment,
+                                const std::string& engine) {
+        const Ended ended =
+            run(scene() + options + " --json " + path("a.json") + " --out " + path("a.png"),
+                environment);
+        EXPECT_EQ(ended.status, 0) << options << ": " << ended.printed;
+        const std::string json = content(path("a.json"));
+        EXPECT_NE(json.find("\"engine\": \"" + engine + "\""), std::string::npos)
+            << options << ": " << json;
+        return content(path("a.png"));
+    };
+    const std::string gpu = "env OPENCL_LAYERS='" RSH_GPU_LAYER "'";
+    const std::string expected = picture_of("--engine tiles", "", "tiles");
+    for (const char* options : {"", "--engine auto"})
+        EXPECT_EQ(picture_of(options, gpu, "paper_faithful"), expected) << options;
+    EXPECT_EQ(picture_of("--engine tiles", gpu, "tiles"), expected);
+}
+
 TEST_F(RshRender, EndsBySignalsWhileItMeasuresAndChecks) {
     const std::string file =
         folder_.write("big.json", R"({"meshes": [{"generator": "room", "triangles": 20000}]})");
