@@ -46,6 +46,11 @@ inline cl_uint group_tile(const Context& context) {
     return RSH_PER_ITEM * group_items(context);
 }
 
+// Groups of scan_scatter; a longer stream gives each several tiles.
+inline cl_uint most_scan_groups(const Context& context) {
+    return context.caps.compute_units * 16;
+}
+
 // Elements that a single item counts and then packs out of the cache: 128 KB, but enough tiles
 // for all cores to end at about the same time. A multiple of RSH_RANGE_STEP, as reduce/range.h
 // asks for.

@@ -8,8 +8,7 @@ namespace rsh {
 namespace {
 
 cl_uint group_count(const Context& context, cl_uint count) {
-    return std::clamp(divided_up(count, group_tile(context)), 1u,
-                      context.caps.compute_units * 16);
+    return std::clamp(divided_up(count, group_tile(context)), 1u, most_scan_groups(context));
 }
 
 class ScanScatter final : public Strategy {

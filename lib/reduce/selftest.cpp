@@ -5,6 +5,7 @@
 
 #include "device/error.hpp"
 #include "device/objects/host_read.hpp"
+#include "reduce/launch.hpp"
 
 namespace rsh {
 namespace {
@@ -52,14 +53,26 @@ Stream make_stream(const Pattern& pattern, cl_uint length, cl_uint count) {
     return stream;
 }
 
+constexpr cl_uint kLong = 70001;
+
+// On a device with many compute units, each group of scan_scatter takes a single tile of kLong
+// elements: its loop goes round from here on.
+cl_uint several_tiles_per_group(const Context& context) {
+    return 2 * most_scan_groups(context) * group_tile(context) + 3;
+}
+
+// The longest last.
 std::vector<Stream> make_streams(const Context& context) {
     const cl_uint group = static_cast<cl_uint>(context.caps.group_size);
+    const Pattern& scattered = kPatterns[4];
     std::vector<Stream> streams;
-    for (const cl_uint length : {1u, group - 1, group, group + 1, 4 * group + 3, 4099u, 70001u})
+    for (const cl_uint length : {1u, group - 1, group, group + 1, 4 * group + 3, 4099u, kLong})
         for (const Pattern& pattern : kPatterns)
             streams.push_back(make_stream(pattern, length, length));
     for (const cl_uint length : {0u, 4099u})
-        streams.push_back(make_stream(kPatterns[4], length, 70001));
+        streams.push_back(make_stream(scattered, length, kLong));
+    const cl_uint longest = several_tiles_per_group(context);
+    if (longest > kLong) streams.push_back(make_stream(scattered, longest, longest));
     return streams;
 }
 
