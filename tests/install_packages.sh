@@ -11,7 +11,7 @@ samples=("${library[@]}" opencl-clhpp-headers libopenmesh-dev libopenimageio-dev
     libfmt-dev libarchive-dev libtinyobjloader-dev nlohmann-json3-dev)
 tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind git python3 python3-venv
     clang clang-format clang-tidy libclc-14)
-bench=("${samples[@]}" libbenchmark-dev libboost-dev libembree-dev libtbb-dev
+bench=("${samples[@]}" libboost-dev libembree-dev libtbb-dev
     python3-pyopencl python3-numpy python3-matplotlib)
 
 case "${1:-}" in

@@ -2,6 +2,7 @@
 #include "device.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <stdexcept>
 #include <thread>
@@ -14,6 +15,13 @@ void require(rsh_status status, const char* call) {
     if (status == RSH_SUCCESS) return;
     throw std::runtime_error(
         fmt::format("{}: {}: {}", call, rsh_status_string(status), rsh_last_error()));
+}
+
+std::string describe_error(const std::exception& error) {
+    const auto* cl_error = dynamic_cast<const cl::Error*>(&error);
+    if (!cl_error) return error.what();
+    return fmt::format("{}: OpenCL error {} ({})", error.what(), cl_error->err(),
+                       rsh_status_string(cl_error->err()));
 }
 
 Device::Device(const std::string& name)
@@ -31,8 +39,18 @@ nlohmann::json Device::description() const {
             {"platform", platform.getInfo<CL_PLATFORM_NAME>()},
             {"platform_version", platform.getInfo<CL_PLATFORM_VERSION>()},
             {"compute_units", device_.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()},
-            {"memory_bytes", device_.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()},
+            {"memory_bytes", memory().device_bytes},
+            {"largest_allocation_bytes", memory().largest_bytes},
             {"host_threads", std::thread::hardware_concurrency()}};
+}
+
+MemoryLimits Device::memory() const {
+    MemoryLimits limits;
+    limits.device_bytes = device_.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    limits.largest_bytes = device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    limits.host_bytes = size_t(sysconf(_SC_PHYS_PAGES)) * size_t(sysconf(_SC_PAGESIZE));
+    limits.is_shared = device_.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>();
+    return limits;
 }
 
 nlohmann::json describe_library() {

@@ -8,13 +8,19 @@
 #include <rsh/rsh.hpp>
 
 #include <CL/opencl.hpp>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "memory.hpp"
 
 namespace bench {
 
 // Throws std::runtime_error with the call's name and rsh_last_error() unless it succeeded.
 void require(rsh_status status, const char* call);
+
+// What an exception says, with the name of OpenCL's error.
+std::string describe_error(const std::exception& error);
 
 class Device {
 public:
@@ -26,6 +32,7 @@ public:
     const cl::CommandQueue& queue() const { return queue_; }  // in order, with profiling
     rsh_context rsh() const { return own_.rsh(); }
     nlohmann::json description() const;
+    MemoryLimits memory() const;
 
 private:
     rsh::Device own_;

@@ -1,12 +1,11 @@
-// main.cpp - rsh-bench SUITE [--json FILE] [--quick] [--device NAME]: runs one suite and writes
-// its cases. Ends with 1 when a case gave a wrong answer. Knows no suite but by the list.
+// main.cpp - rsh-bench SUITE [--json FILE] [--quick] [--limit SECONDS] [--device NAME]: runs one
+// suite and writes its cases. Ends with 1 when a case gave a wrong answer. Knows no suite but by the list.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 
-#include "files/whole_file.hpp"
+#include "document.hpp"
 #include "suite.hpp"
 
 namespace {
@@ -15,6 +14,8 @@ struct Options {
     std::string json;
     std::string device;
     bool quick = false;
+    double limit = 0;
+    std::string command;  // as it was called
 };
 
 void add_suites(CLI::App& app, Options& options) {
@@ -22,6 +23,10 @@ void add_suites(CLI::App& app, Options& options) {
         CLI::App* command = app.add_subcommand(suite->name(), suite->description());
         command->add_option("--json", options.json, "Write the measured cases to this file");
         command->add_flag("--quick", options.quick, "A selection of the cases, in a minute");
+        command
+            ->add_option("--limit", options.limit,
+                         "Seconds after which no case begins: the rest is left out, by name")
+            ->check(CLI::PositiveNumber);
         command->add_option("--device", options.device,
                             "Part of a device's or platform's name");
         suite->add_options(*command);
@@ -29,35 +34,21 @@ void add_suites(CLI::App& app, Options& options) {
     app.require_subcommand(1);
 }
 
-nlohmann::json as_json(const bench::Case& c) {
-    return {{"name", c.name}, {"params", c.params}, {"metrics", c.metrics}, {"ok", c.ok}};
-}
-
-void write(const std::string& path, const nlohmann::json& document) {
-    render::WholeFile file(path);
-    file.write(document.dump(1) + '\n');
-    file.commit();
-}
-
 // The number of cases that were wrong.
 size_t run(bench::Suite& suite, const Options& options) {
-    if (!options.json.empty()) render::require_place(options.json);
+    const bench::Limit limit(options.limit);
     const bench::Device device(options.device);
-    nlohmann::json document = {{"suite", suite.name()},
-                               {"rsh", bench::describe_library()},
-                               {"device", device.description()},
-                               {"quick", options.quick},
-                               {"cases", nlohmann::json::array()}};
-    size_t wrong = 0;
-    for (const bench::Case& c : suite.run({device, options.quick})) {
-        document["cases"].push_back(as_json(c));
-        if (c.ok) continue;
-        ++wrong;
-        fmt::print(stderr, "wrong answer: {}\n", c.name);
-    }
-    if (!options.json.empty()) write(options.json, document);
-    fmt::print("{} cases, {} wrong\n", document["cases"].size(), wrong);
-    return wrong;
+    bench::Document document({{"suite", suite.name()},
+                              {"rsh", bench::describe_library()},
+                              {"command", options.command},
+                              {"device", device.description()},
+                              {"quick", options.quick}},
+                             options.json);
+    suite.run({device, options.quick, limit, document});
+    document.finish();
+    fmt::print("{} cases, {} wrong, {} left out\n", document.cases().size(),
+               document.wrong_count(), document.left_out_count());
+    return document.wrong_count();
 }
 
 }  // namespace
@@ -66,6 +57,7 @@ int main(int argc, char** argv) {
     CLI::App app("rsh-bench: measures rsh; every answer is checked before it is timed",
                  "rsh-bench");
     Options options;
+    options.command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
     add_suites(app, options);
     CLI11_PARSE(app, argc, argv);
     try {
@@ -73,11 +65,8 @@ int main(int argc, char** argv) {
         for (bench::Suite* suite : bench::suites())
             if (app.got_subcommand(suite->name())) wrong += run(*suite, options);
         return wrong > 0 ? 1 : 0;
-    } catch (const cl::Error& error) {
-        fmt::print(stderr, "rsh-bench: {}: OpenCL error {} ({})\n", error.what(), error.err(),
-                   rsh_status_string(error.err()));
     } catch (const std::exception& error) {
-        fmt::print(stderr, "rsh-bench: {}\n", error.what());
+        fmt::print(stderr, "rsh-bench: {}\n", bench::describe_error(error));
     }
     return 1;
 }

@@ -52,6 +52,7 @@ Case measure_build(const Device& device, SceneOnDevice& scene, const BuildRow& r
     RayMaker rays(device, row.size);
     rays.make(scene, row.rays);
     RshTracer tracer(device, scene.geometry(), row.size, false, column);
+    tracer.allocate();
     tracer.trace(rays.buffer());
     const std::vector<rsh_hit> hits = tracer.hits();
     const size_t mismatches = tracer.mismatches();

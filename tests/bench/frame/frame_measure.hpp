@@ -1,5 +1,5 @@
 // frame_measure.hpp - one row of the table: makes rays, checks every column's answers, then
-// times all columns and all of Embree's ways in turn, each round with moved vertices and new
+// times all columns and all of their peers in turn, each round with moved vertices and new
 // rays.
 #pragma once
 
@@ -10,11 +10,18 @@ namespace bench {
 
 struct RowSettings {
     double seconds;     // of timed rounds, about
-    size_t min_rounds;  // whatever they take
+    size_t min_rounds;  // whatever they take, unless the limit passes
 };
 
-// One Case per column. A row without any active ray gives none.
-std::vector<Case> measure_row(const Device& device, SceneOnDevice& scene, const FrameRow& row,
-                              const std::vector<Column>& columns, const RowSettings& settings);
+// What the rows of a run have in common.
+struct FrameRun {
+    const Run& run;
+    RowSettings settings;
+    Estimate estimate;  // by column; the work is pixels and triangles
+};
+
+// One case per column, or a word why it is left out.
+void measure_row(FrameRun& run, SceneOnDevice& scene, const FrameRow& row,
+                 const std::vector<Column>& columns);
 
 }  // namespace bench

@@ -101,6 +101,19 @@ std::vector<FrameRow> frame_rows() {
     return rows;
 }
 
+std::vector<FrameRow> device_rows() {
+    std::vector<FrameRow> rows;
+    for (const cl_uint side : {512u, 1024u, 2048u, 4096u})
+        for (const RoomSize& room : kRooms)
+            if (room.triangles == 20000 || room.triangles >= 700000)
+                rows.push_back({{fmt::format("room-floor-{}", room.name), Reflector::kFloor,
+                                 room.triangles, "", false},
+                                {side, side},
+                                RayKind::kReflection,
+                                true});
+    return rows;
+}
+
 std::vector<Column> frame_columns(const Device& device) {
     std::vector<Column> columns;
     for (cl_uint engine = 1; rsh_engine_name(engine); ++engine)

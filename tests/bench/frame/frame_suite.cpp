@@ -1,16 +1,15 @@
-// frame_suite.cpp - chooses rows and columns, reads each scene once, prints a line per case.
+// frame_suite.cpp - chooses rows and columns, and runs them row by row.
 #include "frame/frame_suite.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <memory>
 #include <regex>
 
 #include "frame/build_rows.hpp"
 #include "frame/frame_measure.hpp"
-#include "frame/frame_peer.hpp"
 #include "frame/frame_summary.hpp"
+#include "frame/frame_text.hpp"
+#include "frame/scene_shelf.hpp"
 #include "progress.hpp"
 
 namespace bench {
@@ -47,6 +46,17 @@ Selection select(const Device& device, const std::string& filter, bool quick) {
     return selection;
 }
 
+// Nothing that was there a frame ago is refitted.
+Selection select_device(const Device& device, const std::string& filter) {
+    std::vector<Column> columns;
+    for (const Column& column : frame_columns(device))
+        if (!column.is_refit) columns.push_back(column);
+    Selection selection;
+    for (const FrameRow& row : device_rows())
+        add(selection.frames, row, columns, std::regex(filter.empty() ? "." : filter));
+    return selection;
+}
+
 void list(const Selection& selection) {
     const auto print_all = [](const auto& rows) {
         for (const auto& [row, columns] : rows)
@@ -56,95 +66,72 @@ void list(const Selection& selection) {
     print_all(selection.builds);
 }
 
-void print_wrong(const Case& c) {
-    fmt::print("{}\n    not timed: {} mismatches\n", c.name,
-               c.metrics["mismatches"].get<size_t>());
-}
-
-void print_build(const Case& c) {
-    const nlohmann::json& m = c.metrics;
-    fmt::print("{}\n    build {:.2f} ms, copy {:.2f} ms: {:.2f} times; {} mismatches\n", c.name,
-               m["ms_build"].get<double>(), m["ms_copy"].get<double>(),
-               m["build_over_copy"].get<double>(), m["mismatches"].get<size_t>());
-}
-
-void print_frame(const Case& c) {
-    const nlohmann::json& m = c.metrics;
-    fmt::print(
-        "{}\n    {:.2f} ms (bound {:.2f}, build {:.2f}, traverse {:.2f}){}; "
-        "{:.0f} tests/ray, {} mismatches\n",
-        c.name, m["ms_total"].get<double>(), m["ms_bound"].get<double>(),
-        m["ms_build"].get<double>(), m["ms_traverse"].get<double>(), frame_peer_text(m),
-        m["tests_per_ray"].get<double>(), m["mismatches"].get<size_t>());
-    std::fflush(stdout);
-}
-
-// The scene that was read last: rows of one scene stand together.
-class SceneShelf {
+class FrameMeasurement {
 public:
-    explicit SceneShelf(const Device& device) : device_(device) {}
-
-    // Null, after a word about it, when files are missing.
-    SceneOnDevice* get(const SceneSpec& spec) {
-        if (spec.name == name_) return on_device_.get();
-        name_ = spec.name;
-        on_device_.reset();
-        try {
-            scene_ = std::make_unique<FrameScene>(spec);
-            on_device_ = std::make_unique<SceneOnDevice>(device_, *scene_);
-        } catch (const std::runtime_error& error) {
-            fmt::print(stderr, "left out: scene {}: {}\n", spec.name, error.what());
-        }
-        return on_device_.get();
+    FrameMeasurement(const Run& run, const Selection& selection, const RowSettings& settings)
+        : run_{run, settings, {}},
+          shelf_(run.device),
+          progress_(selection.frames.size() + selection.builds.size()) {
+        for (const auto& [row, columns] : selection.frames)
+            start(row, columns,
+                  [&](SceneOnDevice& scene) { measure_row(run_, scene, row, columns); });
+        for (const auto& [row, columns] : selection.builds)
+            start(row, columns, [&](SceneOnDevice& scene) { build(scene, row, columns); });
     }
 
 private:
-    const Device& device_;
-    std::string name_;
-    std::unique_ptr<FrameScene> scene_;
-    std::unique_ptr<SceneOnDevice> on_device_;
+    // A scene whose files are missing, or that does not fit, is left out.
+    template <class Row, class Measure>
+    void start(const Row& row, const std::vector<Column>& columns, const Measure& measure) {
+        progress_.begin(row.name());
+        std::string why;
+        if (run_.run.limit.has_passed()) why = run_.run.limit.when_passed();
+        SceneOnDevice* scene = nullptr;
+        try {
+            if (why.empty()) scene = &shelf_.get(row.scene);
+        } catch (const std::exception& error) {
+            why = describe_error(error);
+        }
+        if (scene) return measure(*scene);
+        for (const Column& column : columns)
+            run_.run.results.leave_out(case_name(row, column), why);
+    }
+
+    void build(SceneOnDevice& scene, const BuildRow& row, const std::vector<Column>& columns) {
+        for (const Column& column : columns) {
+            const Case done =
+                measure_build(run_.run.device, scene, row, column, run_.run.quick ? 21 : 51);
+            print_build(done);
+            run_.run.results.add(done);
+        }
+    }
+
+    FrameRun run_;
+    SceneShelf shelf_;
+    ProgressBar progress_;
 };
 
 }  // namespace
 
 void FrameSuite::add_options(CLI::App& app) {
     app.add_option("--filter", filter_, "Only cases whose name has a match of this expression");
+    app.add_option("--rows", rows_,
+                   "standard, or device: three rooms at four sizes, every engine, small ones "
+                   "first")
+        ->check(CLI::IsMember({"standard", "device"}));
     app.add_flag("--list", lists_, "Print the names of the cases instead of running them");
 }
 
-std::vector<Case> FrameSuite::run(const Run& run) {
-    const Selection selection = select(run.device, filter_, run.quick);
-    if (lists_) {
-        list(selection);
-        return {};
+void FrameSuite::run(const Run& run) {
+    const bool is_brief = run.quick || rows_ == "device";
+    const Selection selection = rows_ == "device" ? select_device(run.device, filter_)
+                                                  : select(run.device, filter_, run.quick);
+    if (lists_) return list(selection);
+    FrameMeasurement(run, selection, {is_brief ? 0.7 : 3.0, is_brief ? size_t{3} : size_t{5}});
+    for (const Case& summary : summarize(run.results.cases())) {
+        fmt::print("{}", as_text(summary));
+        run.results.add(summary);
     }
-    const RowSettings settings = {run.quick ? 0.7 : 3.0, run.quick ? size_t{3} : size_t{5}};
-    std::vector<Case> cases;
-    SceneShelf shelf(run.device);
-    ProgressBar progress(selection.frames.size() + selection.builds.size());
-    for (const auto& [row, columns] : selection.frames) {
-        progress.begin(row.name());
-        SceneOnDevice* scene = shelf.get(row.scene);
-        if (!scene) continue;
-        const std::vector<Case> measured =
-            measure_row(run.device, *scene, row, columns, settings);
-        if (measured.empty()) fmt::print("{}: the scene has no such rays\n", row.name());
-        for (const Case& c : measured) c.ok ? print_frame(c) : print_wrong(c);
-        cases.insert(cases.end(), measured.begin(), measured.end());
-    }
-    for (const auto& [row, columns] : selection.builds) {
-        progress.begin(row.name());
-        SceneOnDevice* scene = shelf.get(row.scene);
-        for (const Column& column : columns) {
-            cases.push_back(
-                measure_build(run.device, *scene, row, column, run.quick ? 21 : 51));
-            cases.back().ok ? print_build(cases.back()) : print_wrong(cases.back());
-        }
-    }
-    const std::vector<Case> summaries = summarize(cases);
-    for (const Case& summary : summaries) fmt::print("{}", as_text(summary));
-    cases.insert(cases.end(), summaries.begin(), summaries.end());
-    return cases;
 }
 
 }  // namespace bench

@@ -13,10 +13,10 @@ public:
         return "Frames of moving triangles: every engine against Embree's rebuild + trace";
     }
     void add_options(CLI::App& app) override;
-    std::vector<Case> run(const Run& run) override;
+    void run(const Run& run) override;
 
 private:
-    std::string filter_;
+    std::string filter_, rows_ = "standard";
     bool lists_ = false;
 };
 

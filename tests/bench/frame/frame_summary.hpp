@@ -2,7 +2,7 @@
 // Judges nothing.
 #pragma once
 
-#include "suite.hpp"
+#include "results.hpp"
 
 namespace bench {
 

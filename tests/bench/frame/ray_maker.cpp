@@ -45,6 +45,13 @@ RayMaker::RayMaker(const Device& device, Size size)
       weights_(device.context(), CL_MEM_READ_WRITE, size.pixels() * sizeof(cl_float4)),
       host_(size.pixels()) {}
 
+std::vector<NamedBytes> RayMaker::needs(Size size) {
+    return {{"the rays", size.pixels() * sizeof(rsh_ray)},
+            {"the primary hits", size.pixels() * sizeof(rsh_hit)},
+            {"the spawned rays", size.pixels() * sizeof(rsh_ray)},
+            {"their weights", size.pixels() * sizeof(cl_float4)}};
+}
+
 void RayMaker::see(const SceneOnDevice& scene) {
     rsh_rasterize_desc desc{};
     desc.struct_size = sizeof desc;
@@ -108,8 +115,7 @@ void RayMaker::scatter(const SceneOnDevice& scene) {
     std::vector<rsh_hit> hits(size_.pixels());
     device_.queue().enqueueReadBuffer(hits_, CL_TRUE, 0, hits.size() * sizeof(rsh_hit),
                                       hits.data());
-    device_.queue().enqueueReadBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
-                                      host_.data());
+    rays();
     make_diffuse(scene.positions(), scene.frame_scene().mesh().triangles, hits, host_);
     device_.queue().enqueueWriteBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
                                        host_.data());
@@ -117,6 +123,7 @@ void RayMaker::scatter(const SceneOnDevice& scene) {
 
 // Always the same order.
 void RayMaker::shuffle() {
+    rays();
     std::mt19937 random(1);
     std::shuffle(host_.begin(), host_.end(), random);
     device_.queue().enqueueWriteBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
@@ -124,6 +131,7 @@ void RayMaker::shuffle() {
 }
 
 void RayMaker::make(const SceneOnDevice& scene, RayKind kind) {
+    is_read_ = false;
     see(scene);
     if (kind == RayKind::kDiffuse) return scatter(scene);
     if (kind != RayKind::kPrimary) spawn(scene, first_spawn(scene, kind));
@@ -131,13 +139,20 @@ void RayMaker::make(const SceneOnDevice& scene, RayKind kind) {
         trace(scene);
         spawn(scene, first_spawn(scene, kind));
     }
-    device_.queue().enqueueReadBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
-                                      host_.data());
     if (kind == RayKind::kShuffled) shuffle();
+    device_.queue().finish();
+}
+
+const std::vector<rsh_ray>& RayMaker::rays() const {
+    if (!is_read_)
+        device_.queue().enqueueReadBuffer(rays_, CL_TRUE, 0, host_.size() * sizeof(rsh_ray),
+                                          host_.data());
+    is_read_ = true;
+    return host_;
 }
 
 size_t RayMaker::active_count() const {
-    return static_cast<size_t>(std::count_if(host_.begin(), host_.end(), is_active));
+    return static_cast<size_t>(std::count_if(rays().begin(), rays().end(), is_active));
 }
 
 }  // namespace bench

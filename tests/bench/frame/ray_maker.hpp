@@ -26,6 +26,7 @@ struct Size {
 class RayMaker {
 public:
     RayMaker(const Device& device, Size size);
+    static std::vector<NamedBytes> needs(Size size);  // what that allocates on the device
 
     // One ray per pixel, inactive where there is none. kSecond: the reflection of the
     // reflection, for glass the refraction of the refraction; kShuffled: reflections in no
@@ -34,7 +35,7 @@ public:
 
     Size size() const { return size_; }
     const cl::Buffer& buffer() const { return rays_; }  // of the last make()
-    const std::vector<rsh_ray>& rays() const { return host_; }
+    const std::vector<rsh_ray>& rays() const;           // the same; BLOCKS the first time
     size_t active_count() const;
 
 private:
@@ -47,7 +48,8 @@ private:
     const Device& device_;
     Size size_;
     cl::Buffer rays_, hits_, spawned_, weights_;
-    std::vector<rsh_ray> host_;
+    mutable std::vector<rsh_ray> host_;
+    mutable bool is_read_ = false;
 };
 
 bool is_active(const rsh_ray& ray);

@@ -47,7 +47,7 @@ RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size si
     traverse_.query = is_shadow ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST;
     traverse_.engine = column.engine;
     bound_.shape = build_.shape = traverse_.shape = column.bound;
-    make_buffers();
+    find_sizes();
 }
 
 cl::Buffer RshTracer::own(size_t bytes) {
@@ -55,18 +55,34 @@ cl::Buffer RshTracer::own(size_t bytes) {
     return cl::Buffer(device_.context(), CL_MEM_READ_WRITE, std::max<size_t>(bytes, 1));
 }
 
-// The calls run one after the other, so that one scratch buffer serves all.
-void RshTracer::make_buffers() {
+// A traversal's scratch memory holds bounds and nodes that are not given: here they will be.
+void RshTracer::find_sizes() {
     rsh_sizes bound = empty_sizes(), build = empty_sizes(), traverse = empty_sizes();
     require(rsh_bound_query(device_.rsh(), &bound_, &bound), "rsh_bound_query");
     require(rsh_build_query(device_.rsh(), &build_, &build), "rsh_build_query");
-    bounds_ = own(bound.output_bytes);
-    nodes_ = own(build.output_bytes);
+    const cl::Buffer stand_in(device_.context(), CL_MEM_READ_WRITE, sizeof(cl_uint));
+    traverse_.bounds = traverse_.nodes = stand_in();
+    require(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
+    bounds_bytes_ = bound.output_bytes;
+    nodes_bytes_ = build.output_bytes;
+    // The calls run one after the other, so that one scratch buffer serves all.
+    scratch_bytes_ =
+        std::max({bound.scratch_bytes, build.scratch_bytes, traverse.scratch_bytes});
+}
+
+std::vector<NamedBytes> RshTracer::needs() const {
+    return {{"the bounds", bounds_bytes_},
+            {"the nodes", nodes_bytes_},
+            {"the scratch memory", scratch_bytes_},
+            {"the hits", size_.pixels() * sizeof(rsh_hit)}};
+}
+
+void RshTracer::allocate() {
+    bounds_ = own(bounds_bytes_);
+    nodes_ = own(nodes_bytes_);
+    scratch_ = own(scratch_bytes_);
     bound_.bounds = traverse_.bounds = bounds_();
     build_.nodes = traverse_.nodes = nodes_();
-    require(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
-    scratch_ =
-        own(std::max({bound.scratch_bytes, build.scratch_bytes, traverse.scratch_bytes}));
     bound_.scratch = build_.scratch = traverse_.scratch = scratch_();
     answers_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE,
                           size_.pixels() * (is_shadow_ ? sizeof(cl_uint) : sizeof(rsh_hit)));
@@ -130,8 +146,13 @@ FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {
     require(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
     require(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
     const double tests = double(statistics.node_tests) + double(statistics.ray_tests);
-    return {tests / double(std::max<size_t>(active_rays, 1)), statistics.peak_pairs,
-            statistics.launches};
+    FrameWork work = {tests / double(std::max<size_t>(active_rays, 1)),
+                      statistics.peak_pairs,
+                      statistics.launches,
+                      {}};
+    for (size_t i = 0; i < work.stage_ms.size(); ++i)
+        work.stage_ms[i] = 1e-6 * double(statistics.stage_ns[i]);
+    return work;
 }
 
 std::vector<rsh_hit> RshTracer::hits() const {

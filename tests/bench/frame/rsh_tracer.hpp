@@ -3,6 +3,8 @@
 // Makes no rays and checks no answer.
 #pragma once
 
+#include <array>
+
 #include "frame/ray_maker.hpp"
 
 namespace bench {
@@ -27,13 +29,19 @@ struct FrameTimes {
 struct FrameWork {
     double tests_per_ray = 0;
     cl_ulong peak_pairs = 0, launches = 0;
+    std::array<double, RSH_STAGE_COUNT>
+        stage_ms{};  // of the commands of a stage, by their events
 };
 
 class RshTracer {
 public:
     // `rays` are shadow rays of a point light, traced for occlusion, or any, traced for hits.
+    // Allocates nothing yet: needs() are the buffers of allocate(), which comes before all else.
     RshTracer(const Device& device, const rsh_geometry& geometry, Size size, bool is_shadow,
               const Column& column);
+
+    std::vector<NamedBytes> needs() const;
+    void allocate();
 
     FrameTimes trace(const cl::Buffer& rays);  // BLOCKS
     void build(const cl::Buffer& rays);        // the hierarchy alone; BLOCKS
@@ -45,7 +53,7 @@ public:
     size_t bytes() const { return bytes_; }  // all that a frame needs but rays, hits, geometry
 
 private:
-    void make_buffers();
+    void find_sizes();
     cl::Buffer own(size_t bytes);
 
     const Device& device_;
@@ -53,6 +61,7 @@ private:
     bool is_shadow_;
     bool is_refit_;
     size_t bytes_ = 0;
+    size_t bounds_bytes_ = 0, nodes_bytes_ = 0, scratch_bytes_ = 0;
     rsh_bound_desc bound_{};
     rsh_build_desc build_{};
     rsh_traverse_desc traverse_{};

@@ -22,18 +22,15 @@ cl::Buffer upload(const Device& device, const std::vector<T>& data) {
 class OwnStrategy final : public Contender {
 public:
     OwnStrategy(cl_uint strategy, const Device& device, rsh_context rsh,
-                const DeviceStream& stream, Keep keep)
+                const DeviceStream& stream)
         : device_(device), rsh_(rsh), stream_(stream) {
         desc_.struct_size = sizeof desc_;
         desc_.strategy = strategy;
-        desc_.keep = keep == Keep::kFlags  ? RSH_KEEP_FLAGS
-                     : keep == Keep::kBits ? RSH_KEEP_BITS
-                                           : RSH_KEEP_NOT_NULL;
+        desc_.keep = id_of(stream.keep);
         desc_.element_bytes = stream.host.spec.bytes;
         desc_.count = stream.host.count();
         desc_.input = stream.input();
-        if (keep == Keep::kFlags) desc_.flags = stream.flags();
-        if (keep == Keep::kBits) desc_.flags = stream.bits();
+        desc_.flags = stream.flags();
         desc_.output = stream.output();
         desc_.output_count = stream.count();
     }
@@ -45,8 +42,8 @@ public:
     bool is_right() const override {
         cl_uint count = 0;
         device_.queue().enqueueReadBuffer(stream_.count, CL_TRUE, 0, sizeof count, &count);
-        return is_answer(stream_.host, read_output(device_, stream_, count),
-                         rsh_strategy_is_stable(desc_.strategy) != CL_FALSE);
+        return is_output_right(device_, stream_, count,
+                               rsh_strategy_is_stable(desc_.strategy) != CL_FALSE);
     }
     cl_ulong launches() const override {
         require(rsh_count_statistics(rsh_, CL_TRUE), "rsh_count_statistics");
@@ -67,14 +64,15 @@ private:
 
 }  // namespace
 
-DeviceStream::DeviceStream(const Device& device, const Stream& stream)
+DeviceStream::DeviceStream(const Device& device, const Stream& stream, Keep keeps)
     : host(stream),
+      keep(keeps),
       input(upload(device, stream.words)),
-      flags(upload(device, stream.flags)),
-      bits(upload(device, as_bits(stream.flags))),
       output(device.context(), CL_MEM_READ_WRITE, stream.bytes()),
       count(device.context(), CL_MEM_READ_WRITE, sizeof(cl_uint)),
       copied(device.context(), CL_MEM_READ_WRITE, stream.bytes()) {
+    if (keep == Keep::kFlags) flags = upload(device, stream.flags);
+    if (keep == Keep::kBits) flags = upload(device, as_bits(stream.flags));
     device.queue().enqueueFillBuffer(output, cl_uint{0}, 0, stream.bytes());
     device.queue().enqueueFillBuffer(copied, cl_uint{0}, 0, stream.bytes());
     device.queue().finish();
@@ -83,6 +81,11 @@ DeviceStream::DeviceStream(const Device& device, const Stream& stream)
 const char* name_of(Keep keep) {
     constexpr const char* kNames[] = {"not_null", "flags", "bits"};
     return kNames[int(keep)];
+}
+
+cl_uint id_of(Keep keep) {
+    constexpr cl_uint kIds[] = {RSH_KEEP_NOT_NULL, RSH_KEEP_FLAGS, RSH_KEEP_BITS};
+    return kIds[int(keep)];
 }
 
 std::vector<std::string> peer_names() {
@@ -95,25 +98,25 @@ std::vector<std::string> peer_names() {
 }
 
 std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
-                                          rsh_context rsh, const DeviceStream& stream,
-                                          Keep keep) {
+                                          rsh_context rsh, const DeviceStream& stream) {
     if (name == "peer:std_copy_if") return make_host(stream);
     for (const std::string& library : library_names())
         if (name == library) return make_library(name, device, stream);
     if (name.rfind("peer:", 0) == 0) return make_copy(name, device, stream, stream.output);
     cl_uint strategy = 0;
     require(rsh_strategy_from_name(name.c_str(), &strategy), "rsh_strategy_from_name");
-    return std::make_unique<OwnStrategy>(strategy, device, rsh, stream, keep);
+    return std::make_unique<OwnStrategy>(strategy, device, rsh, stream);
 }
 
-std::vector<cl_uint> read_output(const Device& device, const DeviceStream& stream,
-                                 cl_uint count) {
-    if (count > stream.host.count()) return {};
-    std::vector<cl_uint> words(size_t{count} * stream.host.words_per_element());
-    if (!words.empty())
+bool is_output_right(const Device& device, const DeviceStream& stream, size_t count,
+                     bool is_stable) {
+    if (count != stream.host.kept_count) return false;
+    stream.read.resize(count * stream.host.words_per_element());
+    if (!stream.read.empty())
         device.queue().enqueueReadBuffer(stream.output, CL_TRUE, 0,
-                                         words.size() * sizeof(cl_uint), words.data());
-    return words;
+                                         stream.read.size() * sizeof(cl_uint),
+                                         stream.read.data());
+    return is_answer(stream.host, stream.read.data(), count, is_stable);
 }
 
 }  // namespace bench

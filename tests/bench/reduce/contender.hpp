@@ -9,16 +9,24 @@
 
 namespace bench {
 
+// What "kept" is told by.
+enum class Keep { kNotNull, kFlags, kBits };
+const char* name_of(Keep keep);
+cl_uint id_of(Keep keep);  // RSH_KEEP_...
+
 // A stream in the memory of the device; all contenders of one context share it.
 struct DeviceStream {
-    DeviceStream(const Device& device, const Stream& stream);
+    DeviceStream(const Device& device, const Stream& stream, Keep keep);
 
     const Stream& host;
-    cl::Buffer input, flags, bits, output, count;
+    Keep keep;
+    cl::Buffer input, output, count;
+    cl::Buffer flags;  // bytes or bits; none where the elements themselves tell
     // Where the copy goes that contenders are compared with. Not the output: one that stores
     // past the caches would leave that in memory, one that does not would bring it close, for
     // whoever comes next.
     cl::Buffer copied;
+    mutable std::vector<cl_uint> read;  // where outputs are read to, to be checked
 };
 
 class Contender {
@@ -29,18 +37,13 @@ public:
     virtual cl_ulong launches() const { return 0; }  // 0: not known
 };
 
-// What "kept" is told by.
-enum class Keep { kNotNull, kFlags, kBits };
-const char* name_of(Keep keep);
-
 // Makes the contender of that name for a stream; null if it cannot take it. Throws
 // std::runtime_error when there is none of that name.
 //   a strategy's name; peer:copy_buffer, clEnqueueCopyBuffer; peer:copy_kernel, a kernel;
 //   peer:copy, the quicker one of these; peer:copy_stream, a kernel that stores past the caches;
 //   peer:empty_launch; peer:std_copy_if; a library's name
 std::unique_ptr<Contender> make_contender(const std::string& name, const Device& device,
-                                          rsh_context rsh, const DeviceStream& stream,
-                                          Keep keep);
+                                          rsh_context rsh, const DeviceStream& stream);
 std::vector<std::string> peer_names();  // in this process
 
 std::unique_ptr<Contender> make_copy(const std::string& name, const Device& device,
@@ -53,8 +56,8 @@ std::vector<std::string> library_names();
 std::unique_ptr<Contender> make_library(const std::string& name, const Device& device,
                                         const DeviceStream& stream);
 
-// The first `count` elements of the output.
-std::vector<cl_uint> read_output(const Device& device, const DeviceStream& stream,
-                                 cl_uint count);
+// Reads the output: whether its first `count` elements are the answer.
+bool is_output_right(const Device& device, const DeviceStream& stream, size_t count,
+                     bool is_stable);
 
 }  // namespace bench

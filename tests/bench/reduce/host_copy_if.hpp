@@ -23,10 +23,7 @@ public:
         end_ = Policy()(input_.begin(), input_.end(), output_.begin(), is_kept);
     }
     bool is_right() const override {
-        std::vector<cl_uint> words;
-        for (auto e = output_.begin(); e != end_; ++e)
-            words.insert(words.end(), e->begin(), e->end());
-        return is_answer(stream_, words, true);
+        return is_answer(stream_, output_.front().data(), size_t(end_ - output_.begin()), true);
     }
 
 private:

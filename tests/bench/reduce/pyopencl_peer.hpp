@@ -21,7 +21,8 @@ public:
 
     // Writes the stream to a file, for run().
     void add(const Stream& stream, const Case& named);
-    std::vector<Case> run(double budget_ms);  // all that were added
+    // All that were added; none, and `results` is told so, when the limit has passed.
+    std::vector<Case> run(double budget_ms, const Limit& limit, Results& results);
 
 private:
     std::string python_, folder_, platform_, device_;

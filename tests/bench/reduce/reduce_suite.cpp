@@ -1,14 +1,14 @@
-// reduce_suite.cpp - runs the cases by Google Benchmark. One iteration is a series of pairs, copy
-// and contender in turn: what is reported beside the time is a ratio, and that needs pairs.
+// reduce_suite.cpp - stream by stream, everyone who takes part: checked, then timed in pairs, copy
+// and contender in turn, because what is reported beside the time is a ratio.
 #include "reduce/reduce_suite.hpp"
 
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <deque>
 
+#include "limit.hpp"
 #include "progress.hpp"
+#include "reduce/needs.hpp"
 #include "reduce/pair_stream.hpp"
 #include "reduce/patterns.hpp"
 #include "reduce/pyopencl_peer.hpp"
@@ -18,6 +18,7 @@ namespace bench {
 namespace {
 
 constexpr size_t kLongestPairStream = 1u << 24;
+constexpr double kFewestRuns = 5;  // one is checked, and of a series 4 at least
 
 // An rsh_context with the vector width that was asked for, or the device's own.
 class WidthContext {
@@ -45,12 +46,12 @@ private:
 
 // The stream that is being worked on, and the copy that it is compared with.
 struct Track {
-    Track(const Device& device, const StreamSpec& spec)
+    Track(const Device& device, const StreamSpec& spec, Keep keep)
         : stream(
               make_stream(spec, spec.pattern.rfind("pairs:", 0) == 0
                                     ? make_pair_flags(device, spec.pattern, kLongestPairStream)
                                     : make_flags(spec))),
-          on_device(device, stream),
+          on_device(device, stream, keep),
           copy(make_copy("peer:copy", device, on_device, on_device.copied)) {}
 
     Stream stream;
@@ -69,135 +70,130 @@ nlohmann::json metrics_of(const PairedTimes& times, const Stream& stream) {
             {"ratio_high", ratio.high},
             {"copy_ms", times.base_ms().median},
             {"pairs", times.pairs()},
-            {"kept", stream.kept_count()}};
-}
-
-bool same(const StreamSpec& a, const StreamSpec& b) {
-    return a.pattern == b.pattern && a.bytes == b.bytes && a.keep_percent == b.keep_percent &&
-           (a.count == b.count || a.count == 0 || b.count == 0);
+            {"kept", stream.kept_count}};
 }
 
 class Race {
 public:
     Race(const bench::Run& run, const ReduceOptions& options)
         : device_(run.device),
+          limit_(run.limit),
+          results_(run.results),
           rsh_(run.device, options.vector_width),
           budget_ms_(options.budget_ms > 0 ? options.budget_ms
                      : run.quick           ? 15
                                            : 150),
           pyopencl_(run.device),
-          heats_(select_heats(options, run.quick)) {
-        for (const Heat& heat : heats_)
-            for (const std::string& name : heat.contenders) add(heat, name);
-    }
+          heats_(select_heats(options, run.quick)) {}
 
-    std::vector<Case> run() {
-        Progress progress(cases_.size());
-        benchmark::RunSpecifiedBenchmarks(&progress);
-        std::vector<Case> done;
-        for (const Case& c : cases_)
-            if (is_done(c)) done.push_back(c);
-        for (const Case& c : pyopencl_.run(budget_ms_)) done.push_back(c);
-        return done;
+    void run() {
+        size_t cases = 0;
+        for (const Heat& heat : heats_) cases += heat.contenders.size();
+        ProgressBar bar(cases);
+        for (const Heat& heat : heats_) {
+            track_.reset();
+            for (const std::string& name : heat.contenders) {
+                bar.begin(title(heat, name));
+                if (const std::string why = refusal(heat, name); !why.empty())
+                    results_.leave_out(title(heat, name), why);
+                else
+                    start(heat, name);
+            }
+        }
+        for (const Case& c : pyopencl_.run(budget_ms_, limit_, results_)) hand_in(c);
     }
 
 private:
-    // Shows where the run is; the times are kept by the cases.
-    class Progress final : public benchmark::BenchmarkReporter {
-    public:
-        explicit Progress(size_t cases) : bar_(cases) { bar_.begin("the first"); }
-        bool ReportContext(const Context&) override { return true; }
-        void ReportRuns(const std::vector<benchmark::BenchmarkReporter::Run>& runs) override {
-            bar_.begin("after " + runs.front().benchmark_name());
-        }
-
-    private:
-        ProgressBar bar_;
-    };
-
-    // A contender that could not take the stream leaves no case behind.
-    static bool is_done(const Case& c) { return !c.params.is_null(); }
-
-    void add(const Heat& heat, const std::string& name) {
-        Case& result = cases_.emplace_back();
-        const std::string title =
-            fmt::format("reduce/strategy:{}/n:{}/bytes:{}/keep:{}/pattern:{}/by:{}", name,
-                        heat.stream.count, heat.stream.bytes, heat.stream.keep_percent,
-                        heat.stream.pattern, name_of(heat.keep));
-        benchmark::RegisterBenchmark(title.c_str(),
-                                     [this, &heat, name, &result](benchmark::State& state) {
-                                         work(state, heat, name, result);
-                                     })
-            ->UseManualTime()
-            ->Iterations(1);
+    // As the case will be called, unless the stream's pattern decides about count and share.
+    static std::string title(const Heat& heat, const std::string& name) {
+        const StreamSpec& s = heat.stream;
+        return title(name, s.count, s.bytes, s.keep_percent, s.pattern, heat.keep);
+    }
+    static std::string title(const std::string& name, cl_uint count, cl_uint bytes,
+                             double percent, const std::string& pattern, Keep keep) {
+        return fmt::format("reduce/strategy:{}/n:{}/bytes:{}/keep:{}/pattern:{}/by:{}", name,
+                           count, bytes, percent, pattern, name_of(keep));
     }
 
-    Track& track(const StreamSpec& spec) {
-        if (track_ && same(track_->stream.spec, spec)) return *track_;
-        track_.reset();
-        track_ = std::make_unique<Track>(device_, spec);
-        return *track_;
+    std::string refusal(const Heat& heat, const std::string& name) const {
+        const std::string late = estimate_.refusal(limit_, name, double(heat.stream.count));
+        if (!late.empty()) return late;
+        return memory_refusal(device_.memory(), buffers_of(heat, name, rsh_.get()),
+                              host_bytes_of(heat, name));
+    }
+
+    void start(const Heat& heat, const std::string& name) {
+        if (!track_) track_ = std::make_unique<Track>(device_, heat.stream, heat.keep);
+        if (name == "peer:pyopencl") return hand_over(*track_, name, heat.keep);
+        try {
+            race(*track_, name, heat.keep);
+        } catch (
+            const std::exception& error) {  // of the device: the others may run all the same
+            Case failed = describe(name, track_->stream, heat.keep);
+            failed.ok = false;
+            failed.metrics["error"] = describe_error(error);
+            hand_in(failed);
+        }
     }
 
     // Patterns with a density of their own report that.
-    static void describe(Case& result, const std::string& name, const Stream& stream,
-                         Keep keep) {
+    static Case describe(const std::string& name, const Stream& stream, Keep keep) {
         const StreamSpec& spec = stream.spec;
         const bool is_own = spec.pattern.find(':') != std::string::npos;
         const double percent =
             is_own ? std::round(stream.kept_percent() * 10) / 10 : double(spec.keep_percent);
-        result.params = {{"strategy", name},        {"n", stream.count()},
-                         {"bytes", spec.bytes},     {"keep", percent},
-                         {"pattern", spec.pattern}, {"keep_by", name_of(keep)}};
-        result.name =
-            fmt::format("reduce/strategy:{}/n:{}/bytes:{}/keep:{}/pattern:{}/by:{}", name,
-                        stream.count(), spec.bytes, percent, spec.pattern, name_of(keep));
-    }
-
-    void work(benchmark::State& state, const Heat& heat, const std::string& name,
-              Case& result) {
-        Track& now = track(heat.stream);
-        double seconds = 0;
-        if (name == "peer:pyopencl")
-            hand_over(now, name, heat.keep);
-        else
-            seconds = race(now, name, heat.keep, result);
-        if (!result.ok) {
-            state.SkipWithError("wrong answer");
-            return;
-        }
-        for (auto _ : state) state.SetIterationTime(seconds);
+        return {title(name, stream.count(), spec.bytes, percent, spec.pattern, keep),
+                {{"strategy", name},
+                 {"n", stream.count()},
+                 {"bytes", spec.bytes},
+                 {"keep", percent},
+                 {"pattern", spec.pattern},
+                 {"keep_by", name_of(keep)}},
+                nlohmann::json::object()};
     }
 
     void hand_over(const Track& now, const std::string& name, Keep keep) {
-        if (!pyopencl_.is_there() || !PyopenclPeer::takes(now.stream.spec)) return;
-        Case named;
-        describe(named, name, now.stream, keep);
-        pyopencl_.add(now.stream, named);
+        if (pyopencl_.is_there() && PyopenclPeer::takes(now.stream.spec))
+            pyopencl_.add(now.stream, describe(name, now.stream, keep));
     }
 
-    double race(Track& now, const std::string& name, Keep keep, Case& result) {
-        const auto contender = make_contender(name, device_, rsh_.get(), now.on_device, keep);
-        if (!contender) return 0;
-        describe(result, name, now.stream, keep);
+    void race(Track& now, const std::string& name, Keep keep) {
+        const auto contender = make_contender(name, device_, rsh_.get(), now.on_device);
+        if (!contender) return;
+        Case result = describe(name, now.stream, keep);
         contender->run();
-        result.ok = contender->is_right();
-        if (!result.ok) return 0;
+        const double check_ms = milliseconds([&] { result.ok = contender->is_right(); });
+        if (!result.ok) return hand_in(result);
         PairedTimes times;
         times.run_series([&] { now.copy->run(); }, [&] { contender->run(); }, budget_ms_, 200);
+        const double pair_ms = times.base_ms().median + times.work_ms().median;
+        estimate_.add(name, now.stream.count(), 1e-3 * (check_ms + kFewestRuns * pair_ms));
         result.metrics = metrics_of(times, now.stream);
         if (const cl_ulong launches = contender->launches())
             result.metrics["launches"] = launches;
-        return times.work_ms().median * 1e-3;
+        hand_in(result);
+    }
+
+    void hand_in(const Case& c) {
+        if (c.metrics.contains("error"))
+            fmt::print("{}\n    {}\n", c.name, c.metrics["error"].get<std::string>());
+        if (c.ok)
+            fmt::print("{}\n    {:.3f} ms, {:.2f} G elements/s, {:.2f} of the copy\n", c.name,
+                       c.metrics["ms"].get<double>(),
+                       1e-9 * c.metrics["elements_per_s"].get<double>(),
+                       c.metrics["ratio_to_copy"].get<double>());
+        results_.add(c);
     }
 
     const Device& device_;
+    const Limit& limit_;
+    Results& results_;
     WidthContext rsh_;
     double budget_ms_;
     PyopenclPeer pyopencl_;
     std::vector<Heat> heats_;
-    std::deque<Case> cases_;  // stay where they are
     std::unique_ptr<Track> track_;
+    Estimate estimate_;
 };
 
 }  // namespace
@@ -220,9 +216,9 @@ void ReduceSuite::add_options(CLI::App& app) {
                    "Of the library's kernels: 1 shows those for GPUs");
 }
 
-std::vector<Case> ReduceSuite::run(const bench::Run& run) {
+void ReduceSuite::run(const bench::Run& run) {
     Race race(run, options_);
-    return race.run();
+    race.run();
 }
 
 }  // namespace bench

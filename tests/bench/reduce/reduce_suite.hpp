@@ -14,7 +14,7 @@ public:
         return "Stream reduction: every strategy and its peers against a copy";
     }
     void add_options(CLI::App& app) override;
-    std::vector<Case> run(const Run& run) override;
+    void run(const Run& run) override;
 
 private:
     ReduceOptions options_;

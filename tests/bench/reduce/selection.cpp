@@ -1,5 +1,6 @@
 #include "reduce/selection.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "reduce/pair_stream.hpp"
@@ -81,12 +82,17 @@ std::vector<T> either(const std::vector<T>& asked, std::vector<T> otherwise) {
     return asked.empty() ? otherwise : asked;
 }
 
-// All combinations of what was asked for.
+std::vector<cl_uint> sorted(std::vector<cl_uint> counts) {
+    std::sort(counts.begin(), counts.end());
+    return counts;
+}
+
+// All combinations of what was asked for, the short ones first.
 std::vector<StreamSpec> asked_streams(const ReduceOptions& o) {
     std::vector<StreamSpec> streams;
-    for (const std::string& pattern : either(o.patterns, {"random"}))
-        for (const cl_uint bytes : either(o.bytes, {4}))
-            for (const cl_uint count : either(o.counts, {kMillions}))
+    for (const cl_uint count : sorted(either(o.counts, {kMillions})))
+        for (const std::string& pattern : either(o.patterns, {"random"}))
+            for (const cl_uint bytes : either(o.bytes, {4}))
                 for (const int keep : either(o.keeps, {50})) {
                     const bool is_pairs = pattern.rfind("pairs:", 0) == 0;
                     streams.push_back({pattern, is_pairs ? 0 : count, bytes, keep});

@@ -44,6 +44,7 @@ public:
                                 {},
                                 {},
                                 {}});
+        rays_.rays();  // read now, not in the timed part
         for (Embree& embree : embrees_) choose_mode(embree);
     }
 
@@ -60,6 +61,7 @@ public:
     }
 
     void time_round() override {
+        rays_.rays();
         for (Embree& embree : embrees_) {
             let_threads_sleep();
             embree.build_ms.push_back(milliseconds([&] { embree.peer->build(); }));

@@ -35,9 +35,7 @@ public:
         queue_.finish();
         count_ = cl_uint(end - out);
     }
-    bool is_right() const override {
-        return is_answer(stream_.host, read_output(device_, stream_, count_), true);
-    }
+    bool is_right() const override { return is_output_right(device_, stream_, count_, true); }
 
 private:
     const Device& device_;

@@ -1,0 +1,32 @@
+// document.hpp - the JSON of a run, written anew, whole, after every case, so that a run that is
+// killed leaves what it had.
+#pragma once
+
+#include "results.hpp"
+
+namespace bench {
+
+class Document final : public Results {
+public:
+    // `head`: what stands beside the cases. An empty path: nothing is written. Throws
+    // std::runtime_error when the path cannot be written to.
+    Document(nlohmann::json head, std::string path);
+
+    void add(const Case& c) override;
+    void leave_out(const std::string& name, const std::string& why) override;  // and prints it
+    const std::vector<Case>& cases() const override { return cases_; }
+    void finish() const;  // the last time, and the only one for what is no file
+
+    size_t wrong_count() const { return wrong_count_; }
+    size_t left_out_count() const { return document_["left_out"].size(); }
+
+private:
+    void write() const;
+
+    nlohmann::json document_;
+    std::string path_;
+    std::vector<Case> cases_;
+    size_t wrong_count_ = 0;
+};
+
+}  // namespace bench
