@@ -1,5 +1,6 @@
 // main.cpp - rsh-bench SUITE [--json FILE] [--quick] [--limit SECONDS] [--device NAME]: runs one
-// suite and writes its cases. Ends with 1 when a case gave a wrong answer. Knows no suite but by the list.
+// suite and writes its cases; rsh-bench table FILE...: shows what was written. Ends with 1 when a
+// case gave a wrong answer. Knows no suite but by the list.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -7,6 +8,7 @@
 
 #include "document.hpp"
 #include "suite.hpp"
+#include "table/report.hpp"
 
 namespace {
 
@@ -16,6 +18,7 @@ struct Options {
     bool quick = false;
     double limit = 0;
     std::string command;  // as it was called
+    std::vector<std::string> files;
 };
 
 void add_suites(CLI::App& app, Options& options) {
@@ -32,6 +35,18 @@ void add_suites(CLI::App& app, Options& options) {
         suite->add_options(*command);
     }
     app.require_subcommand(1);
+}
+
+void add_table(CLI::App& app, Options& options) {
+    CLI::App* command = app.add_subcommand("table", "Shows files of results as one text");
+    command->add_option("files", options.files, "JSON of rsh-bench or of GoogleTest")
+        ->required();
+}
+
+int show_table(const Options& options) {
+    const bench::Report report = bench::make_report(options.files);
+    fmt::print("{}", report.text);
+    return report.is_good ? 0 : 1;
 }
 
 // The number of cases that were wrong.
@@ -59,8 +74,10 @@ int main(int argc, char** argv) {
     Options options;
     options.command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
     add_suites(app, options);
+    add_table(app, options);
     CLI11_PARSE(app, argc, argv);
     try {
+        if (app.got_subcommand("table")) return show_table(options);
         size_t wrong = 0;
         for (bench::Suite* suite : bench::suites())
             if (app.got_subcommand(suite->name())) wrong += run(*suite, options);
