@@ -39,7 +39,7 @@ void add_suites(CLI::App& app, Options& options) {
 
 void add_table(CLI::App& app, Options& options) {
     CLI::App* command = app.add_subcommand("table", "Shows files of results as one text");
-    command->add_option("files", options.files, "JSON of rsh-bench or of GoogleTest")
+    command->add_option("files", options.files, "JSON that --json or device.sh wrote")
         ->required();
 }
 

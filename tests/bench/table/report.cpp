@@ -27,24 +27,21 @@ std::string left_out_section(const std::vector<ResultFile>& files) {
 // Metrics of a wrong case that are text say why.
 std::string reason(const json& metrics) {
     std::string text;
-    for (const char* key : {"why", "log"}) text += text_of(metrics, key, "");
+    for (const char* key : {"why", "error", "log"}) text += text_of(metrics, key, "");
     return text.empty() ? "" : ": " + text;
 }
 
 std::string wrong_section(const std::vector<ResultFile>& files) {
     std::string text;
-    for (const ResultFile& file : files) {
-        if (file.is_of_tests()) continue;
+    for (const ResultFile& file : files)
         for (const json& c : file.cases())
             if (!c["ok"].get<bool>())
                 text +=
                     wrapped("WRONG: " + c["name"].get<std::string>() + reason(c["metrics"]));
-    }
     return text;
 }
 
 bool is_good(const ResultFile& file) {
-    if (file.is_of_tests()) return have_tests_passed(file);
     return std::all_of(file.cases().begin(), file.cases().end(),
                        [](const json& c) { return c["ok"].get<bool>(); });
 }

@@ -159,28 +159,16 @@ TEST_F(Table, SaysWhyAProgramIsWrong) {
     EXPECT_NE(report.text.find("WRONG: programs/shade: no such type\n"), std::string::npos);
 }
 
-std::string test_results(const std::string& tests) {
-    return R"({"tests": 2, "name": "AllTests", "testsuites": [{"name": "Reduce", "testsuite": [)" +
-           tests + "]}]}";
-}
-
 TEST_F(Table, CountsTestsAndNamesThoseThatFailed) {
-    const std::string path =
-        file("tests.json", test_results(R"({"name": "Packs", "result": "COMPLETED"},
-            {"name": "Waits", "result": "COMPLETED", "failures": [{"failure": "1 != 2"}]},
-            {"name": "Sleeps", "result": "SUPPRESSED"})"));
-    const Report report = make_report({path});
+    const Report report = make_report({file("tests.json", of_suite("tests", R"(
+        {"name": "tests/reduce/1_of_1", "params": {}, "ok": false, "metrics":
+         {"passed": 7, "failed": ["Reduce.Waits"], "seconds": 3, "why": "status 139"}})"))});
     EXPECT_FALSE(report.is_good);
-    EXPECT_EQ(words_of(report.text, path + ": "),
-              (Words{"1", "passed,", "1", "failed,", "0", "skipped"}));
+    EXPECT_EQ(words_of(report.text, "tests/reduce/1_of_1: "),
+              (Words{"7", "passed,", "3", "s"}));
     EXPECT_NE(report.text.find("FAILED: Reduce.Waits\n"), std::string::npos);
-}
-
-TEST_F(Table, IsGoodWithTestsOnlyWhenOneRan) {
-    EXPECT_TRUE(
-        make_report({file("a.json", test_results(R"({"name": "A", "result": "COMPLETED"})"))})
-            .is_good);
-    EXPECT_FALSE(make_report({file("b.json", test_results(""))}).is_good);
+    EXPECT_NE(report.text.find("WRONG: tests/reduce/1_of_1: status 139\n"), std::string::npos)
+        << report.text;
 }
 
 // Many contenders, long names and long reasons.

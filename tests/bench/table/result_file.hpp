@@ -1,6 +1,5 @@
-// result_file.hpp - files of results, as the table needs them: of rsh-bench, or of GoogleTest
-// (--gtest_output=json:FILE). What is missing, half written or something else is named, and does
-// not keep the others from being read.
+// result_file.hpp - files of results, as the table needs them. What is missing, half written or
+// something else is named, and does not keep the others from being read.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,9 +10,8 @@ namespace bench {
 
 struct ResultFile {
     std::string path;
-    nlohmann::json json;  // of rsh-bench: each case has a name, "ok", params and metrics
+    nlohmann::json json;  // each case has a name, "ok", params and metrics
 
-    bool is_of_tests() const { return json.contains("testsuites"); }
     std::string suite() const { return json.value("suite", ""); }
     const nlohmann::json& cases() const { return json.at("cases"); }
 };

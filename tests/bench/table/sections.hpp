@@ -14,9 +14,7 @@ std::string programs_section(const std::vector<ResultFile>& files);
 std::string reduce_section(const std::vector<ResultFile>& files);
 // Per scene, size and kind of rays: the stages of each engine.
 std::string frame_section(const std::vector<ResultFile>& files);
-// Per file of GoogleTest: how many passed.
+// Per batch of tests: how many passed, and which failed.
 std::string tests_section(const std::vector<ResultFile>& files);
-// Some ran, and none failed.
-bool have_tests_passed(const ResultFile& file_of_tests);
 
 }  // namespace bench

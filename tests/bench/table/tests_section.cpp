@@ -9,36 +9,20 @@ namespace {
 
 using nlohmann::json;
 
-struct Tally {
-    size_t passed = 0, skipped = 0;
-    std::vector<std::string> failed;
-};
-
-void count(const json& suite, Tally& tally) {
-    for (const json& test : suite.at("testsuite")) {
-        const std::string result = text_of(test, "result");
-        if (test.contains("failures"))
-            tally.failed.push_back(text_of(suite, "name") + '.' + text_of(test, "name"));
-        else if (result == "COMPLETED")
-            ++tally.passed;
-        else if (result == "SKIPPED")
-            ++tally.skipped;
-    }
-}
-
-Tally tally_of(const ResultFile& file) {
-    Tally tally;
-    for (const json& suite : file.json.at("testsuites")) count(suite, tally);
-    return tally;
-}
-
-std::string line_of(const ResultFile& file) {
-    const Tally tally = tally_of(file);
-    std::string text = wrapped(fmt::format("{}: {} passed, {} failed, {} skipped", file.path,
-                                           tally.passed, tally.failed.size(), tally.skipped));
-    for (const std::string& name : tally.failed) text += "  FAILED: " + name + '\n';
-    if (tally.passed + tally.failed.size() == 0) text += "  NO TEST RAN\n";
+std::string failures(const json& metrics) {
+    const auto failed = metrics.find("failed");
+    if (failed == metrics.end() || !failed->is_array()) return "";
+    std::string text;
+    for (const json& name : *failed)
+        if (name.is_string()) text += "  FAILED: " + name.get<std::string>() + '\n';
     return text;
+}
+
+std::string lines_of(const json& c) {
+    const json& metrics = c["metrics"];
+    return wrapped(fmt::format("{}: {} passed, {} s", c["name"].get<std::string>(),
+                               cell(metrics, "passed"), cell(metrics, "seconds"))) +
+           failures(metrics);
 }
 
 }  // namespace
@@ -46,13 +30,9 @@ std::string line_of(const ResultFile& file) {
 std::string tests_section(const std::vector<ResultFile>& files) {
     std::string text;
     for (const ResultFile& file : files)
-        if (file.is_of_tests()) text += line_of(file);
+        if (file.suite() == "tests")
+            for (const json& c : file.cases()) text += lines_of(c);
     return text.empty() ? "" : "TESTS\n" + text;
-}
-
-bool have_tests_passed(const ResultFile& file) {
-    const Tally tally = tally_of(file);
-    return tally.failed.empty() && tally.passed > 0;
 }
 
 }  // namespace bench
