@@ -72,11 +72,13 @@ public:
         : run_{run, settings, {}},
           shelf_(run.device),
           progress_(selection.frames.size() + selection.builds.size()) {
-        for (const auto& [row, columns] : selection.frames)
-            start(row, columns,
-                  [&](SceneOnDevice& scene) { measure_row(run_, scene, row, columns); });
-        for (const auto& [row, columns] : selection.builds)
-            start(row, columns, [&](SceneOnDevice& scene) { build(scene, row, columns); });
+        for (const auto& one : selection.frames)
+            start(one.row, one.columns, [&](SceneOnDevice& scene) {
+                measure_row(run_, scene, one.row, one.columns);
+            });
+        for (const auto& one : selection.builds)
+            start(one.row, one.columns,
+                  [&](SceneOnDevice& scene) { build(scene, one.row, one.columns); });
     }
 
 private:
