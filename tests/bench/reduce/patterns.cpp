@@ -9,6 +9,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "reduce/parts.hpp"
+
 namespace bench {
 namespace {
 
@@ -16,9 +18,13 @@ namespace fs = std::filesystem;
 
 using Flags = std::vector<cl_uchar>;
 
-Flags random_flags(const StreamSpec& spec, std::mt19937& random) {
+Flags random_flags(const StreamSpec& spec) {
     Flags flags(spec.count);
-    for (cl_uchar& flag : flags) flag = int(random() % 100) < spec.keep_percent;
+    for_parts(spec.count, [&](const Part& part) {
+        std::mt19937 random(spec.count + cl_uint(spec.keep_percent) + cl_uint(part.index));
+        for (cl_uint i = part.begin; i < part.end; ++i)
+            flags[i] = int(random() % 100) < spec.keep_percent;
+    });
     return flags;
 }
 
@@ -87,7 +93,7 @@ Flags mask_flags(const StreamSpec& spec) {
 
 std::vector<cl_uchar> make_flags(const StreamSpec& spec) {
     std::mt19937 random(spec.count + cl_uint(spec.keep_percent));
-    if (spec.pattern == "random") return random_flags(spec, random);
+    if (spec.pattern == "random") return random_flags(spec);
     if (spec.pattern == "runs") return run_flags(spec, random);
     if (spec.pattern == "alternating") return alternating_flags(spec);
     if (spec.pattern == "sorted") return sorted_flags(spec);

@@ -20,6 +20,7 @@ struct Stream {
     std::vector<cl_uint> words;
     std::vector<cl_uchar> flags;  // 1: kept; dropped elements begin with RSH_NO_HIT as well
     cl_uint kept_count = 0;
+    std::vector<cl_uint> kept_before;  // of the parts of parts.hpp, each
     cl_uint count() const { return spec.count; }
     cl_uint words_per_element() const { return spec.bytes / 4; }
     double kept_percent() const { return count() ? 100.0 * kept_count / count() : 0.0; }

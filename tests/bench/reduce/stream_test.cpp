@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reduce/parts.hpp"
 #include "reduce/patterns.hpp"
 
 namespace {
@@ -60,6 +61,21 @@ TEST(Answer, MustBeWholeAndInOrderUnlessThatIsNotPromised) {
     std::rotate(turned.begin(), turned.begin() + 2, turned.end());
     EXPECT_FALSE(is_answer(s, turned, true));
     EXPECT_TRUE(is_answer(s, turned, false));
+}
+
+// Streams of several parts are made and checked by several threads.
+TEST(Answer, IsCheckedToTheLastElementOfTheLastPart) {
+    const StreamSpec spec = {"random", 2 * bench::kPartLength + 77, 4, 50};
+    const Stream s = bench::make_stream(spec, bench::make_flags(spec));
+    std::vector<cl_uint> right = kept(s);
+    EXPECT_EQ(right.size(), s.kept_count);
+    EXPECT_TRUE(is_answer(s, right, true));
+    EXPECT_TRUE(is_answer(s, right, false));
+    for (const size_t at : {size_t{0}, right.size() / 2, right.size() - 1}) {
+        std::vector<cl_uint> broken = right;
+        ++broken[at];
+        EXPECT_FALSE(is_answer(s, broken, true)) << at;
+    }
 }
 
 TEST(Answer, IsWrongWhenAnElementIsMissingDoubledOrBroken) {
