@@ -77,8 +77,9 @@ public:
                 measure_row(run_, scene, one.row, one.columns);
             });
         for (const auto& one : selection.builds)
-            start(one.row, one.columns,
-                  [&](SceneOnDevice& scene) { build(scene, one.row, one.columns); });
+            for (const Column& column : one.columns)
+                start(one.row, {column},
+                      [&](SceneOnDevice& scene) { build(scene, one.row, column); });
     }
 
 private:
@@ -94,18 +95,43 @@ private:
         } catch (const std::exception& error) {
             why = describe_error(error);
         }
-        if (scene) return measure(*scene);
-        for (const Column& column : columns)
-            run_.run.results.leave_out(case_name(row, column), why);
+        if (!scene) {
+            for (const Column& column : columns)
+                run_.run.results.leave_out(case_name(row, column), why);
+            return;
+        }
+        try {
+            measure(*scene);
+        } catch (const std::exception& error) {
+            fail(row, columns, describe_error(error));
+        }
     }
 
-    void build(SceneOnDevice& scene, const BuildRow& row, const std::vector<Column>& columns) {
+    // What no column could be told apart from: rays could not be made, or a frame failed that had
+    // been right before. Other rows may do.
+    template <class Row>
+    void fail(const Row& row, const std::vector<Column>& columns, const std::string& why) {
         for (const Column& column : columns) {
-            const Case done =
-                measure_build(run_.run.device, scene, row, column, run_.run.quick ? 21 : 51);
-            print_build(done);
-            run_.run.results.add(done);
+            const Case failed = {case_name(row, column),
+                                 {{"scene", row.scene.name},
+                                  {"width", row.size.width},
+                                  {"height", row.size.height},
+                                  {"rays", name_of(row.rays)},
+                                  {"engine", column.engine_name},
+                                  {"bound", column.bound_name},
+                                  {"refit", column.is_refit}},
+                                 {{"error", why}},
+                                 false};
+            print_frame(failed);
+            run_.run.results.add(failed);
         }
+    }
+
+    void build(SceneOnDevice& scene, const BuildRow& row, const Column& column) {
+        const size_t pairs = run_.run.quick ? 21 : 51;
+        const Case done = measure_build(run_.run.device, scene, row, column, pairs);
+        print_build(done);
+        run_.run.results.add(done);
     }
 
     FrameRun run_;

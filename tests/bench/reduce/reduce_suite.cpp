@@ -122,14 +122,18 @@ private:
                               host_bytes_of(heat, name));
     }
 
+    // An error of the device makes a wrong case: the others may run all the same.
     void start(const Heat& heat, const std::string& name) {
-        if (!track_) track_ = std::make_unique<Track>(device_, heat.stream, heat.keep);
-        if (name == "peer:pyopencl") return hand_over(*track_, name, heat.keep);
         try {
-            race(*track_, name, heat.keep);
-        } catch (
-            const std::exception& error) {  // of the device: the others may run all the same
-            Case failed = describe(name, track_->stream, heat.keep);
+            if (!track_) track_ = std::make_unique<Track>(device_, heat.stream, heat.keep);
+            if (name == "peer:pyopencl")
+                hand_over(*track_, name, heat.keep);
+            else
+                race(*track_, name, heat.keep);
+        } catch (const std::exception& error) {
+            Stream unmade;
+            unmade.spec = heat.stream;
+            Case failed = describe(name, track_ ? track_->stream : unmade, heat.keep);
             failed.ok = false;
             failed.metrics["error"] = describe_error(error);
             hand_in(failed);
