@@ -21,16 +21,10 @@ Buffer zeroed_word(cl_context context) {
 }
 
 cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
-    if (requested == 0) return caps.is_cpu ? caps.vector_width : 1;
+    if (requested == 0) return caps.default_width();
     if (requested == 1 || requested == 4 || requested == 8 || requested == 16) return requested;
     throw Error(RSH_INVALID_VALUE, "vector_width: is ", requested,
                 ", must be 0, 1, 4, 8 or 16");
-}
-
-std::string build_options(cl_uint vector_width, const DeviceCaps& caps) {
-    std::string options = "-cl-std=CL1.2 -D RSH_WIDTH=" + std::to_string(vector_width);
-    if (caps.correctly_rounded) options += " -cl-fp32-correctly-rounded-divide-sqrt";
-    return options;
 }
 
 std::string kernel_folder(const char* requested) {
@@ -68,7 +62,7 @@ Context::Context(const rsh_context_desc& desc)
       caps(device),
       vector_width(checked_width(desc.vector_width, caps)),
       log(desc.log, desc.log_user),
-      programs(desc.context, device, caps, log, build_options(vector_width, caps),
+      programs(desc.context, device, caps, log, caps.build_options(vector_width),
                BinaryCache::folder_for(desc.cache_dir), kernel_folder(desc.kernel_dir)),
       pool(desc.context),
       wrong_buffers_(zeroed_word(desc.context)) {}

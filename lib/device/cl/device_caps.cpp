@@ -50,4 +50,10 @@ DeviceCaps::DeviceCaps(cl_device_id device) {
     identity = identity_of(device);
 }
 
+std::string DeviceCaps::build_options(cl_uint width) const {
+    std::string options = "-cl-std=CL1.2 -D RSH_WIDTH=" + std::to_string(width);
+    if (correctly_rounded) options += " -cl-fp32-correctly-rounded-divide-sqrt";
+    return options;
+}
+
 }  // namespace rsh

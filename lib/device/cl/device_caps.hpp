@@ -10,6 +10,11 @@ namespace rsh {
 struct DeviceCaps {
     explicit DeviceCaps(cl_device_id device);
 
+    // What kernels are compiled for where nobody asks for another: 1 where work-items are lanes.
+    cl_uint default_width() const { return is_cpu ? vector_width : 1; }
+    // Of every program, before its own.
+    std::string build_options(cl_uint width) const;
+
     bool is_cpu;
     bool correctly_rounded;  // divide and square root may be asked to round correctly
     cl_uint vector_width;    // of the registers, in floats: 1, 4, 8 or 16
