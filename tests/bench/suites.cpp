@@ -1,5 +1,6 @@
 // suites.cpp - the list of suites. One row each.
 #include "frame/frame_suite.hpp"
+#include "programs/programs_suite.hpp"
 #include "reduce/reduce_suite.hpp"
 #include "suite.hpp"
 
@@ -7,8 +8,9 @@ namespace bench {
 
 const std::vector<Suite*>& suites() {
     static FrameSuite frame;
+    static ProgramsSuite programs;
     static ReduceSuite reduce;
-    static const std::vector<Suite*> all = {&frame, &reduce};
+    static const std::vector<Suite*> all = {&frame, &programs, &reduce};
     return all;
 }
 

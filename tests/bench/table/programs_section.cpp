@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <regex>
+#include <set>
 
 #include "table/members.hpp"
 #include "table/sections.hpp"
@@ -23,31 +24,50 @@ TextTable::Row kernel_row(const json& kernel) {
             cell(kernel, "group_size"),     cell(kernel, "group_multiple")};
 }
 
-void add_rows(TextTable& table, const json& c) {
-    const json &params = c["params"], &metrics = c["metrics"];
-    table.add_caption(fmt::format(
-        "{}{}: {}", text_of(params, "program"), short_options(text_of(params, "options", "")),
-        c["ok"].get<bool>() ? cell(metrics, "seconds", 2) + " s" : "WRONG"));
-    const auto kernels = metrics.find("kernels");
-    if (kernels == metrics.end() || !kernels->is_array()) return;
-    for (const json& kernel : *kernels)
-        if (kernel.is_object()) table.add(kernel_row(kernel));
-}
+// Most sets of options change no figure of a kernel: what was shown before is only counted.
+class Programs {
+public:
+    void add(const json& c) {
+        const json &params = c["params"], &metrics = c["metrics"];
+        std::vector<TextTable::Row> rows;
+        size_t known = 0;
+        for (const json& kernel : metrics.value("kernels", json::array())) {
+            if (!kernel.is_object()) continue;
+            const TextTable::Row row = kernel_row(kernel);
+            if (shown_.insert(row).second)
+                rows.push_back(row);
+            else
+                ++known;
+        }
+        table_.add_caption(
+            fmt::format("{}{}: {}{}", text_of(params, "program"),
+                        short_options(text_of(params, "options", "")),
+                        c["ok"].get<bool>() ? cell(metrics, "seconds", 2) + " s" : "WRONG",
+                        known > 0 ? fmt::format(", {} kernels as above", known) : ""));
+        for (const TextTable::Row& row : rows) table_.add(row);
+    }
+    bool is_empty() const { return table_.is_empty(); }
+    std::string text() const { return table_.text(); }
+
+private:
+    TextTable table_ = {
+        {"program, its kernels", "regs", "spill", "stack", "local", "private", "group", "step"},
+        1};
+    std::set<TextTable::Row> shown_;
+};
 
 }  // namespace
 
 std::string programs_section(const std::vector<ResultFile>& files) {
-    TextTable table(
-        {"program, its kernels", "regs", "spill", "stack", "local", "private", "group", "step"},
-        1);
+    Programs programs;
     for (const ResultFile& file : files)
         if (file.suite() == "programs")
-            for (const json& c : file.cases()) add_rows(table, c);
-    if (table.is_empty()) return "";
+            for (const json& c : file.cases()) programs.add(c);
+    if (programs.is_empty()) return "";
     return "PROGRAMS: seconds to compile; registers of a work-item; bytes of spills, of stack, "
            "of\n"
            "local and private memory; largest group, and the step of its size\n" +
-           table.text();
+           programs.text();
 }
 
 }  // namespace bench

@@ -24,10 +24,9 @@ std::string left_out_section(const std::vector<ResultFile>& files) {
     return text.empty() ? "" : "LEFT OUT\n" + text;
 }
 
-// Metrics of a wrong case that are text say why.
 std::string reason(const json& metrics) {
     std::string text;
-    for (const char* key : {"why", "error", "log"}) text += text_of(metrics, key, "");
+    for (const char* key : {"why", "error"}) text += text_of(metrics, key, "");
     return text.empty() ? "" : ": " + text;
 }
 

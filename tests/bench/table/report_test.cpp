@@ -151,10 +151,30 @@ TEST_F(Table, ShowsEachKernelOfAProgram) {
               (Words{"40", "16", "-", "-", "8", "-", "-"}));
 }
 
+std::string program_case(const std::string& options, const std::string& registers) {
+    return R"({"name": "programs/shade )" + options + R"(", "ok": true,
+               "params": {"program": "shade", "options": ")" +
+           options + R"("},
+               "metrics": {"seconds": 1, "kernels": [
+                   {"name": "rsh_shade", "registers": )" +
+           registers + "}]}}";
+}
+
+TEST_F(Table, ShowsAKernelAgainOnlyWhereItsFiguresDiffer) {
+    const Report report = make_report(
+        {file("a.json", of_suite("programs", program_case("-D A=1", "40") + "," +
+                                                 program_case("-D A=2", "40") + "," +
+                                                 program_case("-D A=3", "48")))});
+    EXPECT_EQ(words_of(report.text, "shade A=2: "),
+              (Words{"1.00", "s,", "1", "kernels", "as", "above"}));
+    EXPECT_EQ(words_of(report.text, "shade A=3: "), (Words{"1.00", "s"}));
+    EXPECT_NE(report.text.find("  rsh_shade    "), report.text.rfind("  rsh_shade    "));
+}
+
 TEST_F(Table, SaysWhyAProgramIsWrong) {
     const Report report = make_report(
         {file("a.json", of_suite("programs", R"({"name": "programs/shade", "ok": false,
-            "params": {"program": "shade"}, "metrics": {"log": "no such type"}})"))});
+            "params": {"program": "shade"}, "metrics": {"error": "no such type"}})"))});
     EXPECT_FALSE(report.is_good);
     EXPECT_NE(report.text.find("WRONG: programs/shade: no such type\n"), std::string::npos);
 }
