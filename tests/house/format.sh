@@ -6,6 +6,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 mode=(--dry-run -Werror)
 if [ "${1:-}" = --fix ]; then mode=(-i); fi
 mapfile -t files < <(git ls-files --cached --others --exclude-standard \
-    '*.cpp' '*.hpp' '*.c' '*.h' '*.cl' | grep -v '^include/rsh/.*\.h$')
+    '*.cpp' '*.hpp' '*.c' '*.h' '*.cl' '*.cu' '*.cuh' | grep -v '^include/rsh/.*\.h$')
 clang-format "${mode[@]}" "${files[@]}"
 echo "${#files[@]} files are formatted"
