@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "files/whole_file.hpp"
+#include "left_out.hpp"
 
 namespace bench {
 
@@ -34,12 +35,15 @@ void Document::add(const Case& c) {
 
 void Document::leave_out(const std::string& name, const std::string& why) {
     document_["left_out"].push_back({{"name", name}, {"why", why}});
-    fmt::print("left out: {}: {}\n", name, why);
-    std::fflush(stdout);
     write();
 }
 
 void Document::finish() const {
+    if (left_out_count() > 0) fmt::print("left out:\n{}", left_out_text(document_["left_out"]));
+    store();
+}
+
+void Document::store() const {
     if (path_.empty()) return;
     render::WholeFile file(path_);
     file.write(document_.dump(1) + '\n');
@@ -48,7 +52,7 @@ void Document::finish() const {
 
 // A pipe takes it once, at the end.
 void Document::write() const {
-    if (!path_.empty() && (!fs::exists(path_) || fs::is_regular_file(path_))) finish();
+    if (!path_.empty() && (!fs::exists(path_) || fs::is_regular_file(path_))) store();
 }
 
 }  // namespace bench

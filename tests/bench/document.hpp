@@ -13,15 +13,17 @@ public:
     Document(nlohmann::json head, std::string path);
 
     void add(const Case& c) override;
-    void leave_out(const std::string& name, const std::string& why) override;  // and prints it
+    void leave_out(const std::string& name, const std::string& why) override;
     const std::vector<Case>& cases() const override { return cases_; }
-    void finish() const;  // the last time, and the only one for what is no file
+    // Prints what was left out, and writes for the last time: the only one for what is no file.
+    void finish() const;
 
     size_t wrong_count() const { return wrong_count_; }
     size_t left_out_count() const { return document_["left_out"].size(); }
 
 private:
     void write() const;
+    void store() const;
 
     nlohmann::json document_;
     std::string path_;

@@ -213,7 +213,9 @@ void ReduceSuite::add_options(CLI::App& app) {
     app.add_option("--pattern", options_.patterns,
                    "random, runs, alternating, sorted, mask:NAME, pairs:SCENE:LEVEL")
         ->delimiter(',');
-    app.add_option("--strategy", options_.contenders, "Strategies and peers")->delimiter(',');
+    app.add_option("--strategy", options_.contenders,
+                   "Strategies and peers; own: all of the library")
+        ->delimiter(',');
     app.add_option("--keep-by", options_.keep_by, "not_null, flags, bits")->delimiter(',');
     app.add_option("--budget", options_.budget_ms, "Milliseconds of timing per case");
     app.add_option("--vector-width", options_.vector_width,

@@ -113,6 +113,17 @@ Keep keep_named(const std::string& name) {
     throw std::runtime_error("keep-by: is \"" + name + "\", must be not_null, flags or bits");
 }
 
+// "own" stands for all the library's strategies.
+std::vector<std::string> expanded(const std::vector<std::string>& names) {
+    std::vector<std::string> all;
+    for (const std::string& name : names) {
+        const std::vector<std::string> these =
+            name == "own" ? strategies() : std::vector<std::string>{name};
+        all.insert(all.end(), these.begin(), these.end());
+    }
+    return all;
+}
+
 // Peers decide by the element itself.
 std::vector<std::string> select_contenders(const ReduceOptions& o, Keep keep) {
     std::vector<std::string> names = strategies();
@@ -121,7 +132,7 @@ std::vector<std::string> select_contenders(const ReduceOptions& o, Keep keep) {
         names.insert(names.end(), peers.begin(), peers.end());
         names.emplace_back("peer:pyopencl");
     }
-    return either(o.contenders, names);
+    return expanded(either(o.contenders, names));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "left_out.hpp"
 #include "table/members.hpp"
 #include "table/sections.hpp"
 #include "table/text_table.hpp"
@@ -17,9 +18,7 @@ std::string left_out_section(const std::vector<ResultFile>& files) {
     std::string text;
     for (const ResultFile& file : files) {
         const auto found = file.json.find("left_out");
-        if (found == file.json.end()) continue;
-        for (const json& one : *found)
-            text += wrapped(fmt::format("{}: {}", text_of(one, "name"), text_of(one, "why")));
+        if (found != file.json.end()) text += left_out_text(*found);
     }
     return text.empty() ? "" : "LEFT OUT\n" + text;
 }
