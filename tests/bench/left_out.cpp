@@ -19,7 +19,8 @@ struct SplitName {
     std::string row, contender;
 };
 
-// The part that says who it is: "reduce/strategy:auto/n:4" into "reduce/n:4" and "auto".
+// The part that says who it is: "reduce/strategy:auto/n:4" into "reduce/n:4" and "auto". Of a batch
+// of tests it is the part of the batch.
 SplitName split(const std::string& name) {
     for (const std::string mark : {"/strategy:", "/engine:"}) {
         const size_t begin = name.find(mark);
@@ -28,6 +29,8 @@ SplitName split(const std::string& name) {
         return {name.substr(0, begin) + name.substr(end),
                 name.substr(begin + mark.size(), end - begin - mark.size())};
     }
+    if (name.rfind("tests/", 0) == 0)
+        return {name.substr(0, name.rfind('/')), name.substr(name.rfind('/') + 1)};
     return {name, ""};
 }
 

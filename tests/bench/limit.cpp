@@ -17,6 +17,10 @@ std::string Limit::when_passed() const {
     return fmt::format("the limit of {:g} s has passed", seconds_);
 }
 
+std::string Limit::when_too_long() const {
+    return fmt::format("would not end within the limit of {:g} s", seconds_);
+}
+
 void Estimate::add(const std::string& contender, double work, double seconds) {
     taken_[contender] = {work, seconds};
 }
@@ -28,8 +32,7 @@ std::string Estimate::refusal(const Limit& limit, const std::string& contender,
     if (last == taken_.end()) return {};
     const double seconds =
         last->second.seconds * std::max(1.0, work / std::max(1.0, last->second.work));
-    if (seconds <= limit.left()) return {};
-    return fmt::format("would take about {:.1f} s, {:.1f} s are left", seconds, limit.left());
+    return seconds <= limit.left() ? "" : limit.when_too_long();
 }
 
 }  // namespace bench

@@ -14,8 +14,10 @@ public:
     explicit Limit(double seconds) : seconds_(seconds), start_(Clock::now()) {}
 
     bool has_passed() const { return left() <= 0; }
-    double left() const;              // seconds; infinite without a limit
-    std::string when_passed() const;  // "the limit of 60 s has passed"
+    double left() const;  // seconds; infinite without a limit
+    // Why a case is left out.
+    std::string when_passed() const;
+    std::string when_too_long() const;
 
 private:
     using Clock = std::chrono::steady_clock;
