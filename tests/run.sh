@@ -4,7 +4,8 @@
 #   2. checks the house: clang's warnings, clang-format, clang-tidy on what changed, every OpenCL
 #      program that the tests built through clang's front end, and what their kernels take on GPUs,
 #   3. runs the tests again with the host code under the address and undefined-behaviour sanitizers,
-#   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers.
+#   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers,
+#   5. makes a kit for other devices and tries it on this one, with a quarter of its time.
 # Without an OpenCL device it fails. Builds in build/release, build/clang and build/asan of the tree;
 # logs are in build/logs. The last line counts the single tests of step 1.
 set -euo pipefail
@@ -44,7 +45,7 @@ run_release() {
     step "release: build"
     # Said again, because quickstart.sh configures the same folder without tests.
     cmake --preset release -G Ninja -DRSH_WERROR=ON -DRSH_BUILD_TESTS=ON -DRSH_BUILD_SAMPLES=ON \
-        >"$logs/configure-release.log"
+        -DRSH_BENCH_PEERS=OFF >"$logs/configure-release.log"
     cmake --build build/release -j "$jobs"
     step "release: ctest"
     local programs=$PWD/$results/programs status=0
@@ -118,11 +119,21 @@ run_oclgrind() {
     fi
 }
 
+run_device_kit() {
+    step "kit for other devices"
+    tests/make_device_kit.sh build/release/tests/rsh_tests >"$logs/kit.log"
+    tail -n 1 "$logs/kit.log"
+    OUT=$results/device RSH_DEVICE_SECONDS=75 tests/device.sh >"$logs/device.log" 2>&1 ||
+        { tail -n 60 "$logs/device.log"; return 1; }
+    grep '^== ' "$logs/device.log"
+}
+
 tests/install_packages.sh tests
 run_release
 check_house
 run_sanitizers
 run_oclgrind
+run_device_kit
 step "done"
 grep 'tests passed' "$logs/ctest.log"
 tail -n 1 "$logs/results.log"
