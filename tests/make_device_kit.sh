@@ -15,7 +15,7 @@ kNewestLibc=2.34 # Debian 12, Ubuntu 22.04, RHEL 9
 kMostMiB=60
 
 packages=(ocl-icd-libopencl1 ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers clinfo libglm-dev
-    libcli11-dev libfmt-dev nlohmann-json3-dev googletest
+    libcli11-dev libfmt-dev libfmt9 nlohmann-json3-dev googletest
     libpng-dev libpng16-16 zlib1g-dev)
 
 build_programs() {

@@ -8,12 +8,16 @@ step_device() {
     echo "kit:     $(head -n 1 "$kit/contents.txt")"
     echo "system:  $(uname -srm), $(nproc) cores, $(ldd --version 2>/dev/null | head -n 1)"
     echo "loader:  $loader"
-    grep -H . "${OCL_ICD_VENDORS:-/none}"/*.icd 2>/dev/null | sed "s|^.*/|driver:  |"
+    sed 's/^/driver:  /' "$OCL_ICD_VENDORS"/*.icd 2>/dev/null
     echo "device:  RSH_DEVICE is ${RSH_DEVICE:-not set: the first one}"
     command -v nvcc nvidia-smi rocminfo 2>/dev/null | sed 's/^/tool:    /'
     nvidia-smi -L 2>/dev/null
     "$(clinfo_program)" --json >"$out/device.json"
-    "$(clinfo_program)"
+    "$(clinfo_program)" || return 1
+    "$(clinfo_program)" --raw | grep -q CL_DEVICE_NAME || {
+        echo "no OpenCL device: none of the drivers above has one, and no other was found in" $kFolders
+        return 1
+    }
 }
 
 # ---- prepare: programs that run here ----
