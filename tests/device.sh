@@ -10,13 +10,12 @@
 # part of its name; otherwise a GPU is preferred. RSH_DEVICE_SECONDS shortens the five minutes, and
 # each limit alike. Ends with 1 when a step failed.
 set -uo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-tree=$PWD
+tree=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 kit=$tree/build/device-kit
 work=$tree/build/device # what this machine makes of the kit
-out=${OUT:-build/device-results}
-mkdir -p "$work" "$out"
-out=$(cd "$out" && pwd)
+out=${OUT:-$tree/build/device-results}
+mkdir -p "$work" "$out" && out=$(cd "$out" && pwd) || exit 2
+cd "$tree" || exit 2
 
 kSteps="device prepare programs tests reduce frames table"
 kSeconds=${RSH_DEVICE_SECONDS:-300}
@@ -60,7 +59,7 @@ run_step() {
         say "== $step: left out: the $kSeconds s are over =="
         return 1
     fi
-    STEP_SECONDS=$seconds timeout -k 2 "$seconds" "${BASH_SOURCE[0]}" --inside "$step" </dev/null 2>&1 |
+    STEP_SECONDS=$seconds OUT=$out timeout -k 2 "$seconds" tests/device.sh --inside "$step" </dev/null 2>&1 |
         tee -a "$out/log.txt"
     status=${PIPESTATUS[0]}
     [ "$step" != tests ] || collect_tests

@@ -14,7 +14,7 @@ step_device() {
     nvidia-smi -L 2>/dev/null
     "$(clinfo_program)" --json >"$out/device.json"
     "$(clinfo_program)" || return 1
-    "$(clinfo_program)" --raw | grep -q CL_DEVICE_NAME || {
+    "$(clinfo_program)" --raw | grep CL_DEVICE_NAME >/dev/null || {
         echo "no OpenCL device: none of the drivers above has one, and no other was found in" $kFolders
         return 1
     }
