@@ -30,7 +30,7 @@ unpack_kit() {
     cp "$kit/contents.txt" "$work/"
 }
 
-is_known_to_loader() { /sbin/ldconfig -p 2>/dev/null | grep -q "^[[:space:]]*$1 "; }
+is_known_to_loader() { /sbin/ldconfig -p 2>/dev/null | grep "^[[:space:]]*$1 " >/dev/null; }
 
 # The path of a library that the loader of shared libraries does not know.
 find_library() {
