@@ -45,7 +45,7 @@ run_release() {
     step "release: build"
     # Said again, because quickstart.sh configures the same folder without tests.
     cmake --preset release -G Ninja -DRSH_WERROR=ON -DRSH_BUILD_TESTS=ON -DRSH_BUILD_SAMPLES=ON \
-        -DRSH_BENCH_PEERS=OFF >"$logs/configure-release.log"
+        -DRSH_BUILD_BENCH=OFF >"$logs/configure-release.log"
     cmake --build build/release -j "$jobs"
     step "release: ctest"
     local programs=$PWD/$results/programs status=0
@@ -64,7 +64,8 @@ run_release() {
 check_house() {
     step "house: clang's warnings"
     CC=clang CXX=clang++ cmake -S . -B build/clang -G Ninja -DCMAKE_BUILD_TYPE=Debug \
-        -DRSH_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$logs/configure-clang.log"
+        -DRSH_WERROR=ON -DRSH_BENCH_PEERS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+        >"$logs/configure-clang.log"
     ! grep -q 'rsh_bench_commit:' <(ninja -C build/clang -t targets) ||
         ninja -C build/clang rsh_bench_commit >>"$logs/configure-clang.log"
     tests/house/compile_commands.py build/clang
