@@ -742,6 +742,35 @@ RSH_API rsh_status rsh_reduce(rsh_context context, cl_command_queue queue,
 /* Whether the strategy keeps the order of the input; CL_FALSE also for values that are none. */
 RSH_API cl_bool rsh_strategy_is_stable(cl_uint strategy);
 
+/* What the proofs in kernels/ assume of a device's floats. What is lost where one does not hold: */
+enum {
+    RSH_ARITHMETIC_ROUNDING = 0,    /* + - * are rounded to nearest, ties to even, in the order
+                                       written; else no error bound holds: hits may be missed    */
+    RSH_ARITHMETIC_CONTRACTION = 1, /* a * b + c is rounded twice where FP_CONTRACT is OFF; else
+                                       engines, strategies and devices may differ in hits        */
+    RSH_ARITHMETIC_FMA = 2,         /* fma is rounded once; else rays may slip through edges that
+                                       triangles share, and spawned rays err more                */
+    RSH_ARITHMETIC_DIVISION = 3,    /* a / b is rounded correctly where the device says so
+                                       (CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT), else within 2.5 ulp;
+                                       else hits may be missed                                   */
+    RSH_ARITHMETIC_SQUARE_ROOT = 4, /* sqrt likewise, else within 3 ulp; else the cones of
+                                       RSH_SHAPE_CONE may miss hits, and unit vectors are none   */
+    RSH_ARITHMETIC_COMPARISON = 5,  /* < <= > >= == are false of NaN, != is true, fmin and fmax
+                                       take the other number, isnan, isinf and isfinite tell; else
+                                       invalid rays and triangles may be hit, or hide others     */
+    RSH_ARITHMETIC_INFINITY = 6,    /* overflow and division by 0 give infinity, what has no
+                                       value NaN; else rays along an axis, and huge or invalid
+                                       coordinates, may be hit or missed wrongly                 */
+    RSH_ARITHMETIC_UNDERFLOW = 7,   /* below 2^-126 results are the nearest denormals, or 0; and
+                                       denormal operands are themselves, or 0; else hits on what
+                                       is that small may be missed                               */
+    RSH_ARITHMETIC_CONVERSION = 8   /* int to float is rounded to nearest, float to int towards 0,
+                                       floor down; else rsh_rasterize may miss hits              */
+};
+
+/* Name of such a property ("fma"); NULL when there is none. */
+RSH_API const char* rsh_arithmetic_name(cl_uint property);
+
 typedef struct rsh_selftest {
     size_t struct_size;
     cl_uint tested_strategies; /* bit s: the strategy of value s was run                      */
@@ -749,14 +778,25 @@ typedef struct rsh_selftest {
                                   rsh_strategy_name(s)                                        */
     cl_uint cases;             /* reductions that were compared                               */
     char first_failure[256];   /* strategy, stream, what it gave and what it had to; or ""    */
+    cl_uint tested_arithmetic; /* bit p: RSH_ARITHMETIC_... of value p was probed             */
+    cl_uint wrong_arithmetic;  /* bit p: it does not hold, or the probes did not run; its name:
+                                  rsh_arithmetic_name(p)                                      */
+    cl_uint arithmetic_cases;  /* results that were compared                                  */
+    cl_bool flushes_denormals; /* floats below 2^-126 are taken for 0, as they may: hits on what
+                                  is that small may differ from those of other devices        */
+    char arithmetic_failure[256]; /* property, operation, operands, what it gave and what it had
+                                     to, of the first that does not hold; or ""               */
 } rsh_selftest;
 
 /* Runs every strategy on streams of the kinds that drivers are known to get wrong (work-groups
  * that are not full, scans over several blocks, counts that only the device knows) and compares
  * with the host. The unsafe ones are masked on this context, until the next self-test: calls
  * that name them, and their queries, return RSH_UNSUPPORTED.
- * BLOCKS, for less than a second once the programs are built. Finding a strategy unsafe is not
- * an error. Call it before the queries that its outcome may change. */
+ * Then it probes the arithmetic that exactness rests on, one number at a time and in the
+ * context's vectors, by numbers at random and those that are hard. What does not hold is only
+ * reported: every call works as before, without the promise named above.
+ * BLOCKS, for less than a second once the programs are built. Finding a strategy unsafe, or
+ * arithmetic wrong, is not an error. Call it before the queries that its outcome may change. */
 RSH_API rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
                                        rsh_selftest* report);
 

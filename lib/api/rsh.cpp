@@ -6,6 +6,7 @@
 
 #include "api/check.hpp"
 #include "api/settle.hpp"
+#include "arithmetic/probe.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "device/cl/wrong_buffers.hpp"
@@ -298,6 +299,7 @@ rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
         rsh::check_struct(report, "report", "report.struct_size");
         rsh_selftest found = {};
         rsh::selftest(checked, queue, found);
+        rsh::probe_arithmetic(checked, queue, found);
         rsh::hand_back(found, report);
     });
 }
@@ -306,6 +308,10 @@ cl_bool rsh_strategy_is_stable(cl_uint strategy) {
     for (const rsh::Strategy* known : rsh::strategies())
         if (known->id() == strategy) return known->is_stable() ? CL_TRUE : CL_FALSE;
     return CL_FALSE;
+}
+
+const char* rsh_arithmetic_name(cl_uint property) {
+    return rsh::arithmetic_name(property);
 }
 
 const char* rsh_strategy_name(cl_uint strategy) {

@@ -167,7 +167,6 @@ std::string first_failure(Bench& bench, const Strategy& strategy,
 void selftest(Context& context, cl_command_queue queue, rsh_selftest& report) {
     const std::vector<Stream> streams = make_streams(context);
     Bench bench(context, queue, streams.back().count);
-    report = {};
     for (const Strategy* strategy : strategies()) {
         if (strategy->id() == RSH_STRATEGY_AUTO) continue;
         const std::string failure = first_failure(bench, *strategy, streams, report.cases);

@@ -6,7 +6,7 @@
 
 namespace rsh {
 
-// BLOCKS. Fills all of *report but struct_size.
+// BLOCKS. Adds to *report, which is zero, what is about strategies.
 void selftest(Context& context, cl_command_queue queue, rsh_selftest& report);
 
 }  // namespace rsh

@@ -116,6 +116,9 @@ void EveryCall::add_information(std::vector<Call>& calls) const {
     calls.push_back({"rsh_strategy_name", [] {
                          return expect(is(rsh_strategy_name(RSH_STRATEGY_CHUNK), "chunk"));
                      }});
+    calls.push_back({"rsh_arithmetic_name", [] {
+                         return expect(is(rsh_arithmetic_name(RSH_ARITHMETIC_FMA), "fma"));
+                     }});
     calls.push_back({"rsh_engine_name",
                      [] { return expect(is(rsh_engine_name(RSH_ENGINE_TILES), "tiles")); }});
     calls.push_back(
