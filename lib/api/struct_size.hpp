@@ -41,7 +41,7 @@ RSH_FIRST_VERSION(rsh_spawn_desc, active_count);
 RSH_FIRST_VERSION(rsh_shade_desc, colour);
 RSH_FIRST_VERSION(rsh_frame_desc, audit);
 RSH_FIRST_VERSION(rsh_reduce_desc, scratch);
-RSH_FIRST_VERSION(rsh_selftest, arithmetic_failure);
+RSH_FIRST_VERSION(rsh_selftest, first_failure);
 #undef RSH_FIRST_VERSION
 
 // Not more than this version's size either: what lies behind may be a wish that it cannot
