@@ -2,9 +2,10 @@
 // is refused. Needs no device.
 #include <gtest/gtest.h>
 
-#include "oracle/closest.hpp"
+#include "oracle/accepts.hpp"
 #include "oracle/containment.hpp"
 #include "oracle/exact.hpp"
+#include "oracle/judge.hpp"
 
 namespace {
 
@@ -84,6 +85,49 @@ TEST(OracleClosest, RefusesEveryWrongAnswer) {
     EXPECT_FALSE(accepts(hit_of(INFINITY, 0, 0, RSH_NO_HIT)));
     EXPECT_FALSE(oracle::occlusion_is_correct(answers, rays, {0}, 0));
     EXPECT_TRUE(oracle::occlusion_is_correct(answers, rays, {4}, 2));
+}
+
+TEST(OracleJudge, NamesTheFault) {
+    using oracle::Fault;
+    test::Mesh mesh = one_triangle();
+    mesh.add({0, 0, -1}, {1, 0, -1}, {0, 1, -1});
+    const rsh_ray ray = test::make_ray({0.25f, 0.5f, 2}, {0, 0, -1});
+    const oracle::Answer answer = oracle::closest(mesh, {ray})[0];
+    const auto fault = [&](const rsh_hit& hit) {
+        return oracle::judge_hit(answer, mesh, ray, hit).fault;
+    };
+    EXPECT_EQ(fault({2, 0.25f, 0.5f, 0}), Fault::kNone);
+    EXPECT_EQ(fault({INFINITY, 0, 0, RSH_NO_HIT}), Fault::kMissed);
+    EXPECT_EQ(fault({3, 0.25f, 0.5f, 1}), Fault::kMissed);
+    EXPECT_EQ(fault({2.001f, 0.25f, 0.5f, 0}), Fault::kSpurious);
+    EXPECT_EQ(fault({NAN, 0.25f, 0.5f, 0}), Fault::kSpurious);
+    EXPECT_EQ(fault({2, 0.25f, 0.5f, 2}), Fault::kSpurious);
+    EXPECT_EQ(oracle::judge_occlusion(answer, true).fault, Fault::kNone);
+    EXPECT_EQ(oracle::judge_occlusion(answer, false).fault, Fault::kMissed);
+    EXPECT_EQ(oracle::judge_occlusion({}, true).fault, Fault::kSpurious);
+}
+
+TEST(OracleJudge, MeasuresTheErrorAgainstTheBudget) {
+    const test::Mesh mesh = one_triangle();
+    const rsh_ray ray = test::make_ray({0.25f, 0.5f, 2}, {0, 0, -1});
+    const oracle::Answer answer = oracle::closest(mesh, {ray})[0];
+    const auto share = [&](float t) {
+        return oracle::judge_hit(answer, mesh, ray, {t, 0.25f, 0.5f, 0}).t_error_of_budget;
+    };
+    EXPECT_EQ(share(2), 0);
+    EXPECT_GT(share(2 + 0x1p-20f), 0);
+    EXPECT_DOUBLE_EQ(share(2 + 0x1p-19f), 2 * share(2 + 0x1p-20f));
+    EXPECT_LE(share(2 + 0x1p-19f), 1);
+}
+
+TEST(OracleClosest, CountsWhatItCannotDecide) {
+    const test::Mesh mesh = one_triangle();
+    const auto undecided = [&](test::Float3 from) {
+        return oracle::closest(mesh, {test::make_ray(from, {0, 0, -1})})[0].undecided;
+    };
+    EXPECT_EQ(undecided({0.25f, 0.5f, 2}), 0u);
+    EXPECT_EQ(undecided({0.25f, 0, 2}), 1u);
+    EXPECT_EQ(undecided({2, 2, 2}), 0u);
 }
 
 TEST(OracleClosest, FindsWhatTheScalarLoopFinds) {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <exception>
 
-#include "oracle/closest.hpp"
+#include "oracle/accepts.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/world.hpp"
 #include "support/scene.hpp"

@@ -3,7 +3,7 @@
 // those only among the answers that rounding allows. Closed meshes leak nowhere.
 #include <gtest/gtest.h>
 
-#include "oracle/closest.hpp"
+#include "oracle/accepts.hpp"
 #include "support/cases.hpp"
 #include "support/compare.hpp"
 #include "support/ways.hpp"

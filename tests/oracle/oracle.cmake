@@ -1,0 +1,20 @@
+# rsh_oracle: right answers and what they are asked of, meshes and rays, without GoogleTest and
+# without a device, for the tests and for rsh-bench.
+find_package(Threads REQUIRED)
+get_filename_component(tests ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+set(oracle_files closest exact filter hit judge)
+set(generator_files mesh random rays)
+list(TRANSFORM oracle_files REPLACE "(.+)" "${tests}/oracle/\\1.cpp")
+list(TRANSFORM generator_files REPLACE "(.+)" "${tests}/support/\\1.cpp")
+add_library(rsh_oracle STATIC ${oracle_files} ${generator_files})
+target_include_directories(rsh_oracle PUBLIC ${tests})
+target_link_libraries(rsh_oracle PUBLIC rsh::rsh OpenCL::OpenCL Threads::Threads)
+rsh_warnings(rsh_oracle)
+
+# Expansion arithmetic means every rounding as written; the filter needs to be told that no
+# comparison traps before GCC vectorizes it.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(rsh_oracle PRIVATE -ffp-contract=off)
+    set_source_files_properties(${tests}/oracle/filter.cpp
+        PROPERTIES COMPILE_OPTIONS "-O3;-fno-trapping-math")
+endif()
