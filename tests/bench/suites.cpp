@@ -2,6 +2,7 @@
 #include "frame/frame_suite.hpp"
 #include "programs/programs_suite.hpp"
 #include "reduce/reduce_suite.hpp"
+#include "stability/stability_suite.hpp"
 #include "suite.hpp"
 
 namespace bench {
@@ -10,7 +11,8 @@ const std::vector<Suite*>& suites() {
     static FrameSuite frame;
     static ProgramsSuite programs;
     static ReduceSuite reduce;
-    static const std::vector<Suite*> all = {&frame, &programs, &reduce};
+    static StabilitySuite stability;
+    static const std::vector<Suite*> all = {&frame, &programs, &reduce, &stability};
     return all;
 }
 

@@ -89,6 +89,11 @@ void RshTracer::allocate() {
     (is_shadow_ ? traverse_.occlusion : traverse_.hits) = answers_();
 }
 
+void RshTracer::spoil_answers() {
+    const size_t words = size_.pixels() * (is_shadow_ ? sizeof(cl_uint) : sizeof(rsh_hit)) / 4;
+    device_.queue().enqueueFillBuffer(answers_, cl_uint{0xa5a5a5a5}, 0, 4 * words);
+}
+
 FrameTimes RshTracer::trace(const cl::Buffer& rays) {
     build_.rays = traverse_.rays = rays();
     cl::Event bound, build, traverse;

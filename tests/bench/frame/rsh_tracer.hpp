@@ -43,6 +43,12 @@ public:
     std::vector<NamedBytes> needs() const;
     void allocate();
 
+    // Shadow rays are built as converging ones, others are not, unless this says otherwise.
+    void set_converging(bool is_converging) { build_.converging = is_converging; }
+    // A triangle per ray, as rsh_traverse_desc::skip.
+    void set_skip(const cl::Buffer& skip) { traverse_.skip = skip(); }
+    void spoil_answers();  // none of an earlier frame is left
+
     FrameTimes trace(const cl::Buffer& rays);  // BLOCKS
     void build(const cl::Buffer& rays);        // the hierarchy alone; BLOCKS
     size_t mismatches() const;  // of the last frame, in a sample of its active rays; BLOCKS

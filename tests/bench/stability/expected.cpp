@@ -1,0 +1,56 @@
+#include "stability/expected.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace bench::stability {
+namespace {
+
+using test::Corners;
+
+struct LessBits {
+    bool operator()(const Corners& a, const Corners& b) const {
+        return std::memcmp(&a, &b, sizeof a) < 0;
+    }
+};
+
+std::vector<uint32_t> find_twins(const test::Mesh& mesh) {
+    std::map<Corners, uint32_t, LessBits> first;
+    std::vector<uint32_t> twins(mesh.triangle_count());
+    for (uint32_t i = 0; i < twins.size(); ++i) {
+        Corners corners;
+        const bool is_valid = mesh.corners(i, &corners);
+        twins[i] = is_valid ? first.emplace(corners, i).first->second : i;
+    }
+    return twins;
+}
+
+// What leaks out of a closed mesh, was missed, wherever it went through.
+void forbid_leaks(std::vector<oracle::Answer>& answers) {
+    for (oracle::Answer& answer : answers)
+        answer.certain_by =
+            std::min(answer.certain_by, double(std::numeric_limits<float>::max()));
+}
+
+}  // namespace
+
+Expected expected_answers(const Scene& scene, Kind kind, size_t most) {
+    Expected expected;
+    const std::vector<rsh_ray>& all = scene.rays.rays;
+    const std::vector<uint32_t>& all_skip = scene.rays.skip;
+    const size_t step = std::max<size_t>(all.size() / std::max<size_t>(most, 1), 1);
+    std::vector<rsh_ray> rays;
+    std::vector<uint32_t> skip;
+    for (size_t i = 0; i < all.size(); i += step) {
+        expected.rays.push_back(i);
+        rays.push_back(all[i]);
+        if (!all_skip.empty()) skip.push_back(all_skip[i]);
+    }
+    expected.answers = oracle::closest(scene.mesh, rays, skip);
+    if (kind == Kind::kClosed) forbid_leaks(expected.answers);
+    expected.twins = find_twins(scene.mesh);
+    return expected;
+}
+
+}  // namespace bench::stability

@@ -1,0 +1,19 @@
+// expected.hpp - what the oracle says of the rays of a scene, once for all engines.
+#pragma once
+
+#include "oracle/closest.hpp"
+#include "stability/family.hpp"
+
+namespace bench::stability {
+
+struct Expected {
+    std::vector<size_t> rays;  // ascending
+    std::vector<oracle::Answer> answers;
+    std::vector<uint32_t>
+        twins;  // per triangle, the lowest with the same corners in their order
+};
+
+// Of `most` rays at least, evenly among all, or of all.
+Expected expected_answers(const Scene& scene, Kind kind, size_t most);
+
+}  // namespace bench::stability

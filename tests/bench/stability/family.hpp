@@ -1,0 +1,47 @@
+// family.hpp - the families of scenes and rays on which an intersector may lose a hit or invent
+// one. A family makes both from random numbers; it traces and judges nothing.
+#pragma once
+
+#include <vector>
+
+#include "support/mesh.hpp"
+#include "support/rays.hpp"
+
+namespace bench::stability {
+
+struct Scene {
+    test::Mesh mesh;
+    test::Rays rays;             // in screen order, a square
+    bool is_converging = false;  // t = 1 is one point for all rays
+};
+
+struct Extent {
+    uint32_t side;       // of the square of rays
+    uint32_t triangles;  // about
+};
+
+enum class Kind {
+    kRandom,  // hardly a ray passes within rounding of an edge
+    kAimed,   // at edges, corners, planes: often both answers are right
+    kClosed,  // aimed, from inside of a closed mesh: a ray without a hit has leaked
+};
+
+struct Family {
+    const char* name;
+    Kind kind;
+    Scene (*make)(test::Random& random, Extent extent);
+};
+
+// A row in the table of each group's file.
+std::vector<Family> shape_families();   // of triangles
+std::vector<Family> bundle_families();  // of rays
+std::vector<Family> magnitude_families();
+
+inline std::vector<Family> all_families() {
+    std::vector<Family> all;
+    for (const auto& group : {shape_families(), bundle_families(), magnitude_families()})
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
+}
+
+}  // namespace bench::stability

@@ -1,0 +1,136 @@
+#include "stability/tally.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "frame/checksum.hpp"
+
+namespace bench::stability {
+namespace {
+
+using oracle::Fault;
+using oracle::Verdict;
+
+constexpr double kUndecidedShare = 1e-4;
+
+bool is_same(const rsh_hit& a, const rsh_hit& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+// What a ray that hits nothing must hold; tmax may be NaN.
+bool holds_nothing(const rsh_hit& hit, float tmax) {
+    return std::memcmp(&hit.t, &tmax, sizeof tmax) == 0 && hit.u == 0 && hit.v == 0;
+}
+
+size_t count_active(const Scene& scene) {
+    size_t count = 0;
+    for (const rsh_ray& ray : scene.rays.rays) count += test::is_active(ray);
+    return count;
+}
+
+bool has_nan(const rsh_hit& hit) {
+    return std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v);
+}
+
+}  // namespace
+
+void Tally::add_hits(const Scene& scene, const Expected& expected,
+                     const std::vector<rsh_hit>& reference, const std::vector<rsh_hit>& hits) {
+    add_scene(scene, expected);
+    for (size_t i = 0; i < hits.size(); ++i) {
+        differ_ += !is_same(hits[i], reference[i]);
+        check_hit(scene, i, hits[i]);
+    }
+    for (size_t k = 0; k < expected.rays.size(); ++k) {
+        const size_t i = expected.rays[k];
+        Verdict verdict =
+            oracle::judge_hit(expected.answers[k], scene.mesh, scene.rays.rays[i], hits[i]);
+        const uint32_t twin = hits[i].primitive < expected.twins.size()
+                                  ? expected.twins[hits[i].primitive]
+                                  : hits[i].primitive;
+        const bool is_skipped = !scene.rays.skip.empty() && scene.rays.skip[i] == twin;
+        if (verdict.fault == Fault::kNone && twin != hits[i].primitive && !is_skipped)
+            verdict = {Fault::kWrongTriangle,
+                       fmt::format("is {} as well, with a lower number", twin)};
+        add(verdict, i);
+    }
+    add_hash(checksum(hits));
+}
+
+void Tally::add_occlusion(const Scene& scene, const Expected& expected,
+                          const std::vector<rsh_hit>& reference,
+                          const std::vector<cl_uint>& masks) {
+    add_scene(scene, expected);
+    for (size_t i = 0; i < masks.size(); ++i)
+        differ_ += masks[i] != cl_uint{reference[i].primitive != RSH_NO_HIT};
+    for (size_t k = 0; k < expected.rays.size(); ++k)
+        add(oracle::judge_occlusion(expected.answers[k], masks[expected.rays[k]] != 0),
+            expected.rays[k]);
+    add_hash(checksum(masks));
+}
+
+void Tally::add_scene(const Scene& scene, const Expected& expected) {
+    const uint64_t triangles = scene.mesh.triangle_count();
+    rays_ += scene.rays.rays.size();
+    pairs_ += count_active(scene) * triangles;
+    for (size_t k = 0; k < expected.rays.size(); ++k) {
+        if (test::is_active(scene.rays.rays[expected.rays[k]])) decisions_ += triangles;
+        undecided_ += expected.answers[k].undecided;
+    }
+}
+
+void Tally::check_hit(const Scene& scene, size_t ray, const rsh_hit& hit) {
+    const float tmax = scene.rays.rays[ray].direction_tmax.s[3];
+    if (hit.primitive != RSH_NO_HIT) {
+        nan_out_ += has_nan(hit);
+        self_hits_ += !scene.rays.skip.empty() && scene.rays.skip[ray] == hit.primitive;
+    } else if (!holds_nothing(hit, tmax)) {
+        nan_out_ += has_nan(hit) && !std::isnan(tmax);
+        add({Fault::kSpurious, fmt::format("hits nothing at t {}, u {}, v {}: must be {}, 0, 0",
+                                           hit.t, hit.u, hit.v, tmax)},
+            ray);
+    }
+}
+
+void Tally::add(const Verdict& verdict, size_t ray) {
+    missed_ += verdict.fault == Fault::kMissed;
+    spurious_ += verdict.fault == Fault::kSpurious;
+    wrong_triangle_ += verdict.fault == Fault::kWrongTriangle;
+    t_error_of_budget_ = std::max(t_error_of_budget_, verdict.t_error_of_budget);
+    if (verdict.fault != Fault::kNone && first_fault_.empty())
+        first_fault_ = fmt::format("ray {} {}", ray, verdict.why);
+}
+
+// Of several rounds, the hash of their hashes.
+void Tally::add_hash(const std::string& hash) {
+    const std::string both = hash_ + hash;
+    hash_ = hash_.empty() ? hash : checksum(std::vector<char>(both.begin(), both.end()));
+}
+
+nlohmann::json Tally::metrics() const {
+    nlohmann::json metrics = {{"rays", rays_},
+                              {"pairs", pairs_},
+                              {"decisions", decisions_},
+                              {"undecided", undecided_},
+                              {"missed", missed_},
+                              {"spurious", spurious_},
+                              {"wrong_triangle", wrong_triangle_},
+                              {"differ", differ_},
+                              {"nan_out", nan_out_},
+                              {"self_hits", self_hits_},
+                              {"t_error_of_budget", t_error_of_budget_},
+                              {"hash", hash_}};
+    if (!first_fault_.empty()) metrics["why"] = first_fault_;
+    return metrics;
+}
+
+bool Tally::is_good(Kind kind) const {
+    const bool is_decided =
+        kind != Kind::kRandom || double(undecided_) <= kUndecidedShare * double(decisions_);
+    return is_decided &&
+           missed_ + spurious_ + wrong_triangle_ + differ_ + nan_out_ + self_hits_ == 0;
+}
+
+}  // namespace bench::stability

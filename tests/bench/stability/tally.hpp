@@ -1,0 +1,39 @@
+// tally.hpp - what a case adds up: rays, decisions of the oracle, and every kind of fault. Knows no
+// device.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "oracle/judge.hpp"
+#include "stability/expected.hpp"
+
+namespace bench::stability {
+
+class Tally {
+public:
+    // `reference`: what brute force answers.
+    void add_hits(const Scene& scene, const Expected& expected,
+                  const std::vector<rsh_hit>& reference, const std::vector<rsh_hit>& hits);
+    void add_occlusion(const Scene& scene, const Expected& expected,
+                       const std::vector<rsh_hit>& reference,
+                       const std::vector<cl_uint>& masks);
+
+    nlohmann::json metrics() const;
+    // Undecided pairs are a fault where rays are random.
+    bool is_good(Kind kind) const;
+
+private:
+    void add_scene(const Scene& scene, const Expected& expected);
+    void add(const oracle::Verdict& verdict, size_t ray);
+    void check_hit(const Scene& scene, size_t ray, const rsh_hit& hit);
+    void add_hash(const std::string& hash);
+
+    uint64_t rays_ = 0, pairs_ = 0, decisions_ = 0, undecided_ = 0;
+    uint64_t missed_ = 0, spurious_ = 0, wrong_triangle_ = 0, differ_ = 0, nan_out_ = 0,
+             self_hits_ = 0;
+    double t_error_of_budget_ = 0;
+    std::string hash_;
+    std::string first_fault_;
+};
+
+}  // namespace bench::stability

@@ -1,0 +1,60 @@
+#include "stability/traced_scene.hpp"
+
+#include "frame/frame_rows.hpp"
+
+namespace bench::stability {
+namespace {
+
+template <class T>
+cl::Buffer upload(const Device& device, const std::vector<T>& items) {
+    if (items.empty()) return cl::Buffer();
+    const size_t bytes = items.size() * sizeof(T);
+    cl::Buffer buffer(device.context(), CL_MEM_READ_WRITE, bytes);
+    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, items.data());
+    return buffer;
+}
+
+}  // namespace
+
+TracedScene::TracedScene(const Device& device, const Scene& scene)
+    : device_(device),
+      size_{scene.rays.width, scene.rays.height},
+      is_converging_(scene.is_converging),
+      vertices_(upload(device, scene.mesh.vertices)),
+      indices_(upload(device, scene.mesh.indices)),
+      rays_(upload(device, scene.rays.rays)),
+      skip_(upload(device, scene.rays.skip)) {
+    geometry_.vertices = vertices_();
+    geometry_.vertex_count = static_cast<cl_uint>(scene.mesh.vertices.size());
+    geometry_.indices = indices_();
+    geometry_.triangle_count = scene.mesh.triangle_count();
+}
+
+RshTracer TracedScene::traced(const Column& column, bool is_list, bool is_any) const {
+    const Size size = is_list ? Size{static_cast<cl_uint>(size_.pixels()), 1} : size_;
+    RshTracer tracer(device_, geometry_, size, is_any, column);
+    tracer.allocate();
+    tracer.set_converging(is_converging_);
+    tracer.set_skip(skip_);
+    tracer.spoil_answers();
+    tracer.trace(rays_);
+    return tracer;
+}
+
+std::vector<rsh_hit> TracedScene::closest(const Column& column, bool is_list) const {
+    return traced(column, is_list, false).hits();
+}
+
+std::vector<cl_uint> TracedScene::any(const Column& column, bool is_list) const {
+    return traced(column, is_list, true).occlusion();
+}
+
+std::vector<Column> engines(const Device& device) {
+    std::vector<Column> all = {{RSH_ENGINE_BRUTE_FORCE, RSH_SHAPE_DEFAULT,
+                                rsh_engine_name(RSH_ENGINE_BRUTE_FORCE), "none"}};
+    for (const Column& column : frame_columns(device))
+        if (!column.is_refit) all.push_back(column);
+    return all;
+}
+
+}  // namespace bench::stability

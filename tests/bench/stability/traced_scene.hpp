@@ -1,0 +1,30 @@
+// traced_scene.hpp - a scene of triangles and rays on the device, traced by every engine.
+#pragma once
+
+#include "frame/rsh_tracer.hpp"
+#include "stability/family.hpp"
+
+namespace bench::stability {
+
+class TracedScene {
+public:
+    TracedScene(const Device& device, const Scene& scene);
+
+    // In screen order, or as a list; bounds and nodes are made anew.
+    std::vector<rsh_hit> closest(const Column& column, bool is_list) const;
+    std::vector<cl_uint> any(const Column& column, bool is_list) const;
+
+private:
+    RshTracer traced(const Column& column, bool is_list, bool is_any) const;
+
+    const Device& device_;
+    Size size_;
+    bool is_converging_;
+    cl::Buffer vertices_, indices_, rays_, skip_;
+    rsh_geometry geometry_{};
+};
+
+// All engines with each bound that they take; brute force, which takes none, first.
+std::vector<Column> engines(const Device& device);
+
+}  // namespace bench::stability
