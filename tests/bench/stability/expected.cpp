@@ -4,6 +4,8 @@
 #include <cstring>
 #include <map>
 
+#include "oracle/lattice.hpp"
+
 namespace bench::stability {
 namespace {
 
@@ -47,7 +49,9 @@ Expected expected_answers(const Scene& scene, Kind kind, size_t most) {
         rays.push_back(all[i]);
         if (!all_skip.empty()) skip.push_back(all_skip[i]);
     }
-    expected.answers = oracle::closest(scene.mesh, rays, skip);
+    expected.is_exact = kind == Kind::kLattice;
+    expected.answers = expected.is_exact ? oracle::lattice_closest(scene.mesh, rays, skip)
+                                         : oracle::closest(scene.mesh, rays, skip);
     if (kind == Kind::kClosed) forbid_leaks(expected.answers);
     expected.twins = find_twins(scene.mesh);
     return expected;

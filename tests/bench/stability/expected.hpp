@@ -9,6 +9,7 @@ namespace bench::stability {
 struct Expected {
     std::vector<size_t> rays;  // ascending
     std::vector<oracle::Answer> answers;
+    bool is_exact;  // no other is right
     std::vector<uint32_t>
         twins;  // per triangle, the lowest with the same corners in their order
 };

@@ -21,9 +21,10 @@ struct Extent {
 };
 
 enum class Kind {
-    kRandom,  // hardly a ray passes within rounding of an edge
-    kAimed,   // at edges, corners, planes: often both answers are right
-    kClosed,  // aimed, from inside of a closed mesh: a ray without a hit has leaked
+    kRandom,   // hardly a ray passes within rounding of an edge
+    kAimed,    // at edges, corners, planes: often both answers are right
+    kLattice,  // in integers, where only one answer is right
+    kClosed,   // aimed, from inside of a closed mesh: a ray without a hit has leaked
 };
 
 struct Family {
@@ -36,10 +37,12 @@ struct Family {
 std::vector<Family> shape_families();   // of triangles
 std::vector<Family> bundle_families();  // of rays
 std::vector<Family> magnitude_families();
+std::vector<Family> lattice_families();
 
 inline std::vector<Family> all_families() {
     std::vector<Family> all;
-    for (const auto& group : {shape_families(), bundle_families(), magnitude_families()})
+    for (const auto& group :
+         {shape_families(), bundle_families(), magnitude_families(), lattice_families()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

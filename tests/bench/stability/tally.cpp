@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "frame/checksum.hpp"
+#include "oracle/lattice.hpp"
 
 namespace bench::stability {
 namespace {
@@ -30,6 +31,24 @@ size_t count_active(const Scene& scene) {
     return count;
 }
 
+// Of equal triangles the lowest, unless it is skipped.
+Verdict judge_twin(const Scene& scene, const Expected& expected, size_t ray, uint32_t found) {
+    if (found == RSH_NO_HIT || expected.twins[found] == found) return {};
+    const uint32_t twin = expected.twins[found];
+    if (!scene.rays.skip.empty() && scene.rays.skip[ray] == twin) return {};
+    return {Fault::kWrongTriangle, fmt::format("is {} as well, with a lower number", twin)};
+}
+
+Verdict judge(const Scene& scene, const Expected& expected, size_t k, const rsh_hit& hit) {
+    const size_t ray = expected.rays[k];
+    const auto judge_one = expected.is_exact ? oracle::judge_exact : oracle::judge_hit;
+    const Verdict verdict =
+        judge_one(expected.answers[k], scene.mesh, scene.rays.rays[ray], hit);
+    if (verdict.fault != Fault::kNone) return verdict;
+    const Verdict twin = judge_twin(scene, expected, ray, hit.primitive);
+    return twin.fault != Fault::kNone ? twin : verdict;
+}
+
 bool has_nan(const rsh_hit& hit) {
     return std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v);
 }
@@ -43,19 +62,8 @@ void Tally::add_hits(const Scene& scene, const Expected& expected,
         differ_ += !is_same(hits[i], reference[i]);
         check_hit(scene, i, hits[i]);
     }
-    for (size_t k = 0; k < expected.rays.size(); ++k) {
-        const size_t i = expected.rays[k];
-        Verdict verdict =
-            oracle::judge_hit(expected.answers[k], scene.mesh, scene.rays.rays[i], hits[i]);
-        const uint32_t twin = hits[i].primitive < expected.twins.size()
-                                  ? expected.twins[hits[i].primitive]
-                                  : hits[i].primitive;
-        const bool is_skipped = !scene.rays.skip.empty() && scene.rays.skip[i] == twin;
-        if (verdict.fault == Fault::kNone && twin != hits[i].primitive && !is_skipped)
-            verdict = {Fault::kWrongTriangle,
-                       fmt::format("is {} as well, with a lower number", twin)};
-        add(verdict, i);
-    }
+    for (size_t k = 0; k < expected.rays.size(); ++k)
+        add(judge(scene, expected, k, hits[expected.rays[k]]), expected.rays[k]);
     add_hash(checksum(hits));
 }
 
