@@ -21,6 +21,7 @@ using test::Double3;
 constexpr double kUnit = 0x1p-23;
 constexpr double kShear = 16 * kUnit;
 constexpr double kFloor = 0x1p-122;
+constexpr double kFlushed = 0x1p-123;
 
 inline double larger(double a, double b) {
     return a > b ? a : b;
@@ -55,7 +56,7 @@ void score_block(const double (*c)[kBlock], const double* reach, Line r, double*
         const double w = dax * bx + day * by + daz * bz;
         const double v = -(dax * cx + day * cy + daz * cz);
         const double u = dbx * cx + dby * cy + dbz * cz;
-        const double error = kShear * (r.distance + reach[i]);
+        const double error = kShear * (r.distance + reach[i]) + kFlushed;
         const double across =
             r.inverse * larger(largest_of(dax, day, daz),
                                larger(largest_of(dbx, dby, dbz), largest_of(dcx, dcy, dcz)));

@@ -18,25 +18,36 @@ constexpr double kShearUlps = 16;
 constexpr double kDepthUlps = 32;
 // Products that underflow in float, flushed to zero or not, and sums of a few of them.
 constexpr double kUnderflow = 0x1p-123;
+// The same in the few differences and products of a lateral coordinate.
+constexpr double kFlushed = 0x1p-124;
 
 struct Volumes {
     double w[3];      // of the edge opposite to corner i
     double bound[3];  // of a float routine's error
 };
 
-double volume_bound(Double3 d, Double3 p, Double3 q) {
+// The larger component of two edges; triangles below 2^-20 are computed with as if they were of
+// unit size.
+double underflow_of(const Double3 (&p)[3]) {
+    const double size = std::max(max_norm(p[1] - p[0]), max_norm(p[2] - p[0]));
+    return size < 0x1p-20 ? kUnderflow * size * size : kUnderflow;
+}
+
+double volume_bound(Double3 d, Double3 p, Double3 q, double underflow) {
     const double scale = max_norm(d);
-    const double ep = kShearUlps * kUnit * max_norm(p), eq = kShearUlps * kUnit * max_norm(q);
+    const double ep = kShearUlps * kUnit * max_norm(p) + kFlushed;
+    const double eq = kShearUlps * kUnit * max_norm(q) + kFlushed;
     const double lp = max_norm(cross(d, p)) / scale, lq = max_norm(cross(d, q)) / scale;
-    return scale * (2 * (ep * lq + eq * lp + ep * eq) + 8 * kUnit * lp * lq + kUnderflow);
+    return scale * (2 * (ep * lq + eq * lp + ep * eq) + 8 * kUnit * lp * lq + underflow);
 }
 
 Volumes volumes_of(Double3 d, const Double3 (&p)[3]) {
     Volumes volumes;
+    const double underflow = underflow_of(p);
     for (int i = 0; i < 3; ++i) {
         const Double3 b = p[(i + 1) % 3], c = p[(i + 2) % 3];
         volumes.w[i] = dot(d, cross(b, c));
-        volumes.bound[i] = volume_bound(d, b, c);
+        volumes.bound[i] = volume_bound(d, b, c, underflow);
     }
     return volumes;
 }

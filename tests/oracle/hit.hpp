@@ -5,10 +5,12 @@
 // Error budget, with u = 2^-24, S the largest component of the direction, |p| that of a corner
 // translated to the ray's origin and l(p) that of the same corner sheared across the ray, which
 // is |d x p| / S. A float routine that shears knows a lateral coordinate up to
-//     e(p) = 16 u |p|:  translation 1, slope 6, product 2, difference 2, and some to spare;
+//     e(p) = 16 u |p| + 2^-124:  translation 1, slope 6, product 2, difference 2, and some to
+//     spare; what underflows there, flushed to 0 or not, errs by 2^-126 each;
 // an edge's volume is S times the determinant of two lateral coordinates, hence off by at most
-//     S (2 (e(p) l(q) + e(q) l(p) + e(p) e(q)) + 8 u l(p) l(q))
-// with any way to round two products and a difference. Inside those bounds a hit is neither
+//     S (2 (e(p) l(q) + e(q) l(p) + e(p) e(q)) + 8 u l(p) l(q) + 2^-123 m^2)
+// with any way to round two products and a difference; the last term is for products that underflow,
+// m = 1, or the size of a triangle below 2^-20, which a routine has to scale to unit size. Inside those bounds a hit is neither
 // certain nor excluded. With weights w_i of one sign, t is a mean of the corners' depths z_i
 // weighted by w_i, hence
 //     |t - exact| <= 2 sum(bound_i |z_i - t|) / |sum w| + 32 u max |z_i|,
