@@ -1,4 +1,6 @@
 // magnitude_families.cpp - the same scene near the limits of what a float holds.
+#include <algorithm>
+
 #include "stability/family.hpp"
 
 namespace bench::stability {
@@ -17,15 +19,13 @@ Scene placed(Random& random, Extent e, float scale, Float3 offset = {}) {
             test::scaled(test::random_rays(random, e.side, e.side), scale, offset)};
 }
 
-Scene small_scales(Random& random, Extent e) {
-    return placed(random, e, magnitude(random, -18, -1));
-}
-Scene large_scales(Random& random, Extent e) {
-    return placed(random, e, magnitude(random, 1, 18));
+template <int kExponent>
+Scene at_scale(Random& random, Extent e) {
+    return placed(random, e, std::pow(10.0f, float(kExponent)));
 }
 Scene offsets(Random& random, Extent e) {
-    const float far = magnitude(random, 3, 6);
-    return placed(random, e, 1, far * random.direction());
+    const float far = magnitude(random, 3, 8);
+    return placed(random, e, std::max(1.0f, 1e-4f * far), far * random.direction());
 }
 
 // Each ray its own length; t counts in it.
@@ -34,17 +34,34 @@ Scene direction_lengths(Random& random, Extent e) {
                    test::random_rays(random, e.side, e.side)};
     for (rsh_ray& ray : scene.rays.rays)
         ray = test::make_ray(test::origin(ray),
-                             magnitude(random, -30, 30) * test::direction(ray));
+                             magnitude(random, -36, 36) * test::direction(ray));
+    return scene;
+}
+
+// The rays' coordinates, and not the scene's, decide how much room a box must leave.
+Scene corners_from_afar(Random& random, Extent e) {
+    const test::Mesh mesh = test::square_triangles(random, e.triangles);
+    Scene scene = {mesh, {{}, e.side, e.side}};
+    while (scene.rays.rays.size() < size_t{e.side} * e.side) {
+        const test::Rays row =
+            test::rays_from_afar(random, mesh, e.side, magnitude(random, 1, 5));
+        scene.rays.rays.insert(scene.rays.rays.end(), row.rays.begin(), row.rays.end());
+    }
     return scene;
 }
 
 }  // namespace
 
 std::vector<Family> magnitude_families() {
-    return {{"small_scales", Kind::kRandom, small_scales},
-            {"large_scales", Kind::kRandom, large_scales},
+    return {{"scale_1e-30", Kind::kRandom, at_scale<-30>},
+            {"scale_1e-20", Kind::kRandom, at_scale<-20>},
+            {"scale_1e-10", Kind::kRandom, at_scale<-10>},
+            {"scale_1e10", Kind::kRandom, at_scale<10>},
+            {"scale_1e20", Kind::kRandom, at_scale<20>},
+            {"scale_1e30", Kind::kRandom, at_scale<30>},
             {"offsets", Kind::kRandom, offsets},
-            {"direction_lengths", Kind::kRandom, direction_lengths}};
+            {"direction_lengths", Kind::kRandom, direction_lengths},
+            {"corners_from_afar", Kind::kAimed, corners_from_afar}};
 }
 
 }  // namespace bench::stability
