@@ -13,6 +13,8 @@ struct Scene {
     test::Mesh mesh;
     test::Rays rays;             // in screen order, a square
     bool is_converging = false;  // t = 1 is one point for all rays
+    // Vertices of frames before this one, over which bounds are kept; empty: they are made anew.
+    std::vector<std::vector<test::Float3>> earlier = {};
 };
 
 struct Extent {
@@ -38,11 +40,12 @@ std::vector<Family> shape_families();   // of triangles
 std::vector<Family> bundle_families();  // of rays
 std::vector<Family> magnitude_families();
 std::vector<Family> lattice_families();
+std::vector<Family> frame_families();  // of what moved
 
 inline std::vector<Family> all_families() {
     std::vector<Family> all;
-    for (const auto& group :
-         {shape_families(), bundle_families(), magnitude_families(), lattice_families()})
+    for (const auto& group : {shape_families(), bundle_families(), magnitude_families(),
+                              lattice_families(), frame_families()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

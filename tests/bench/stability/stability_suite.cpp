@@ -18,7 +18,7 @@ using namespace stability;
 // Quick: every family within a minute on two cores. Full: 1e8 rays and 1e8 decisions in all.
 constexpr Amount kQuick = {{32, 300}, 1, 1024};
 constexpr Amount kUsual = {{64, 600}, 4, 1024};
-constexpr Amount kFull = {{256, 600}, 60, 1024};
+constexpr Amount kFull = {{256, 600}, 45, 1024};
 
 struct Selected {
     Family family;

@@ -20,24 +20,36 @@ TracedScene::TracedScene(const Device& device, const Scene& scene)
     : device_(device),
       size_{scene.rays.width, scene.rays.height},
       is_converging_(scene.is_converging),
+      frames_(scene.earlier),
       vertices_(upload(device, scene.mesh.vertices)),
       indices_(upload(device, scene.mesh.indices)),
       rays_(upload(device, scene.rays.rays)),
       skip_(upload(device, scene.rays.skip)) {
+    frames_.push_back(scene.mesh.vertices);
     geometry_.vertices = vertices_();
     geometry_.vertex_count = static_cast<cl_uint>(scene.mesh.vertices.size());
     geometry_.indices = indices_();
     geometry_.triangle_count = scene.mesh.triangle_count();
 }
 
+void TracedScene::move(const std::vector<test::Float3>& vertices) const {
+    device_.queue().enqueueWriteBuffer(vertices_, CL_TRUE, 0,
+                                       vertices.size() * sizeof vertices[0], vertices.data());
+}
+
 RshTracer TracedScene::traced(const Column& column, bool is_list, bool is_any) const {
     const Size size = is_list ? Size{static_cast<cl_uint>(size_.pixels()), 1} : size_;
-    RshTracer tracer(device_, geometry_, size, is_any, column);
+    Column kept = column;
+    kept.is_refit = frames_.size() > 1;
+    RshTracer tracer(device_, geometry_, size, is_any, kept);
     tracer.allocate();
     tracer.set_converging(is_converging_);
     tracer.set_skip(skip_);
-    tracer.spoil_answers();
-    tracer.trace(rays_);
+    for (const auto& frame : frames_) {
+        if (kept.is_refit) move(frame);
+        tracer.spoil_answers();
+        tracer.trace(rays_);
+    }
     return tracer;
 }
 

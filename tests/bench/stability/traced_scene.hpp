@@ -10,16 +10,18 @@ class TracedScene {
 public:
     TracedScene(const Device& device, const Scene& scene);
 
-    // In screen order, or as a list; bounds and nodes are made anew.
+    // In screen order, or as a list; bounds are made anew, or kept over the frames before.
     std::vector<rsh_hit> closest(const Column& column, bool is_list) const;
     std::vector<cl_uint> any(const Column& column, bool is_list) const;
 
 private:
+    void move(const std::vector<test::Float3>& vertices) const;
     RshTracer traced(const Column& column, bool is_list, bool is_any) const;
 
     const Device& device_;
     Size size_;
     bool is_converging_;
+    std::vector<std::vector<test::Float3>> frames_;  // this one is the last
     cl::Buffer vertices_, indices_, rays_, skip_;
     rsh_geometry geometry_{};
 };
