@@ -25,14 +25,30 @@ std::string describe_error(const std::exception& error) {
 }
 
 Device::Device(const std::string& name)
-    : own_(name.empty() ? nullptr : name.c_str(), CL_QUEUE_PROFILING_ENABLE,
-           rsh::log_from_environment()),
-      device_(own_.device(), /*retainObject=*/true),
-      context_(own_.context(), true),
-      queue_(own_.queue(), true) {}
+    : own_(std::make_shared<rsh::Device>(name.empty() ? nullptr : name.c_str(),
+                                         CL_QUEUE_PROFILING_ENABLE,
+                                         rsh::log_from_environment())),
+      rsh_(static_cast<rsh_context>(nullptr)),
+      device_(own_->device(), /*retainObject=*/true),
+      context_(own_->context(), true),
+      queue_(own_->queue(), true) {}
+
+Device::Device(const Device& device, cl_uint vector_width)
+    : own_(device.own_),
+      rsh_(static_cast<rsh_context>(nullptr)),
+      device_(device.device_),
+      context_(device.context_),
+      queue_(device.queue_) {
+    rsh_context_desc desc = rsh::make<rsh_context_desc>();
+    desc.context = context_();
+    desc.device = device_();
+    desc.vector_width = vector_width;
+    desc.log = rsh::log_from_environment();
+    rsh_ = rsh::Context(desc);
+}
 
 nlohmann::json Device::description() const {
-    const cl::Platform platform(own_.platform());
+    const cl::Platform platform(own_->platform());
     return {{"name", device_.getInfo<CL_DEVICE_NAME>()},
             {"version", device_.getInfo<CL_DEVICE_VERSION>()},
             {"driver", device_.getInfo<CL_DRIVER_VERSION>()},

@@ -9,6 +9,7 @@
 
 #include <CL/opencl.hpp>
 #include <exception>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -26,16 +27,19 @@ class Device {
 public:
     // The device that rsh_find_device gives for `name`; empty: its default.
     explicit Device(const std::string& name);
+    // The same, with kernels for vectors of this width.
+    Device(const Device& device, cl_uint vector_width);
 
     const cl::Context& context() const { return context_; }
     const cl::Device& device() const { return device_; }
     const cl::CommandQueue& queue() const { return queue_; }  // in order, with profiling
-    rsh_context rsh() const { return own_.rsh(); }
+    rsh_context rsh() const { return rsh_.get() ? rsh_.get() : own_->rsh(); }
     nlohmann::json description() const;
     MemoryLimits memory() const;
 
 private:
-    rsh::Device own_;
+    std::shared_ptr<const rsh::Device> own_;
+    rsh::Context rsh_;  // none: that of own_
     cl::Device device_;
     cl::Context context_;
     cl::CommandQueue queue_;

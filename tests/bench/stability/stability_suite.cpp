@@ -50,9 +50,10 @@ std::vector<Selected> select(const Device& device, const std::string& filter) {
     return selected;
 }
 
-std::vector<Case> run_selected(const Run& run, const Selected& one, const Amount& amount) {
+std::vector<Case> run_selected(const Device& device, const Limit& limit, const Selected& one,
+                               const Amount& amount) {
     try {
-        return run_family(run.device, one.family, one.salt, one.variants, amount, run.limit);
+        return run_family(device, one.family, one.salt, one.variants, amount, limit);
     } catch (const std::exception& error) {
         std::vector<Case> failed;
         for (const Variant& variant : one.variants)
@@ -68,6 +69,9 @@ std::vector<Case> run_selected(const Run& run, const Selected& one, const Amount
 
 void StabilitySuite::add_options(CLI::App& app) {
     app.add_option("--filter", filter_, "Only cases whose name has a match of this expression");
+    app.add_option("--vector-width", vector_width_,
+                   "Of the kernels; the hashes must be the same")
+        ->check(CLI::IsMember({1, 4, 8, 16}));
     app.add_flag("--full", is_full_, "All that a proof needs, in hours");
     app.add_flag("--list", lists_, "Print the names of the cases instead of running them");
 }
@@ -75,7 +79,8 @@ void StabilitySuite::add_options(CLI::App& app) {
 void StabilitySuite::run(const Run& run) {
     if (run.quick && is_full_) throw std::invalid_argument("--full: not together with --quick");
     const Amount amount = run.quick ? kQuick : is_full_ ? kFull : kUsual;
-    const std::vector<Selected> selected = select(run.device, filter_);
+    const Device device(run.device, vector_width_);
+    const std::vector<Selected> selected = select(device, filter_);
     ProgressBar progress(lists_ ? 0 : selected.size());
     for (const Selected& one : selected) {
         if (!lists_) progress.begin(one.family.name);
@@ -86,7 +91,7 @@ void StabilitySuite::run(const Run& run) {
                 run.results.leave_out(case_name(one.family, variant), run.limit.when_passed());
         }
         if (lists_ || is_late) continue;
-        for (const Case& result : run_selected(run, one, amount)) {
+        for (const Case& result : run_selected(device, run.limit, one, amount)) {
             fmt::print("{}", as_text(result));
             run.results.add(result);
         }
