@@ -15,17 +15,10 @@
  * Triangles far from unit size are scaled, in that plane, by a power of two: exact, and the
  * products neither overflow nor drown, whatever the scene's unit. Shearing at most doubles the
  * size, so that a ray that hits sees corners no farther away than 2^22; products that overflow
- * belong to rays far outside, and end in NaN, a miss. What underflows, flushed or denormal, errs
- * by up to 2^-126 (monotonically, so signs are never reversed, but 0 may come of it), four times
- * per edge value: with at least 2^-102 of area, a weight errs by 2^-22 of it. Thinner triangles,
- * less than 2^-62 of their size squared, are seen edge-on.
- *
- * Whatever the order of a triangle's corners, t and whether there is a hit are the same bits:
- * coincident triangles have equal t. Corners are sheared one by one, scale and area are those of
- * all three; turned corners (b c a, c a b) only turn U, V, W, reversed ones (a c b) swap two of
- * them and the products in each: signs, which are exact, change together, and sizes
- * (size_of_difference) and sums (sum_in_any_order) do not. Only where denormals are flushed may
- * an edge value below 2^-125 be 0 in one order and not in another.
+ * belong to rays far outside, and end in NaN, a miss. A product that underflows errs by 2^-126
+ * (flushed or denormal; monotonically, so signs are never reversed, but 0 may come of it): with
+ * at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles, less than 2^-62 of
+ * their size squared, are seen edge-on.
  *
  * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
  * vertex - origin): subtracting the origin u, slope 6u (1 when division is exact), product u,
@@ -38,7 +31,6 @@
 #ifndef RSH_MESH_INTERSECT_H
 #define RSH_MESH_INTERSECT_H
 
-#include "mesh/edge_values.h"
 #include "mesh/triangles.h"
 
 /* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
@@ -96,6 +88,14 @@ static sheared_rays shear_rays(floatv origin_x, floatv origin_y, floatv origin_z
     return r;
 }
 
+/* a*b - c*d within 1.5 ulp (Kahan): `error` is the rounding of c*d, exactly. */
+static floatv difference_of_products(floatv a, floatv b, floatv c, floatv d)
+{
+    const floatv cd = c * d;
+    const floatv error = fma(-c, d, cd);
+    return fma(a, b, -cd) + error;
+}
+
 /* One corner in ray space: x and y across the ray, z along it. */
 #define SHEAR_CORNER(r, px, py, pz, ax, ay, az)        \
     do {                                               \
@@ -121,16 +121,15 @@ static ray_space_corners to_ray_space(sheared_rays r, const floatv* corner)
     return s;
 }
 
-/* 1 for triangles of 2^-20 to 2^20 in size, the largest component of an edge; otherwise the
+/* 1 for triangles of 2^-20 to 2^20 in size, the larger component of two edges; otherwise the
  * power of two that brings the size to 1 .. 2; from the exponent's bits, kept away from those
  * of 0 and infinity. */
 static floatv triangle_scale(const floatv* corner)
 {
     floatv size = (floatv)(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-        const floatv a = corner[axis], b = corner[3 + axis], c = corner[6 + axis];
-        size = greater(greater(a, greater(b, c)) - lesser(a, lesser(b, c)), size);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+        size = fmax(size, fmax(fabs(corner[3 + axis] - corner[axis]),
+                               fabs(corner[6 + axis] - corner[axis])));
     const intv exponent = as_intv(size) & 0x7f800000;
     const floatv power = as_floatv(0x7f000000 - min(exponent, (intv)(0x7e800000)));
     const intv is_usual = (size >= (floatv)(0x1p-20f)) & (size <= (floatv)(0x1p20f));
@@ -148,40 +147,33 @@ static void scale_across(ray_space_corners* s, floatv scale)
     s->cy *= scale;
 }
 
-/* Where the edge values do not differ in sign: 0 is inside of the triangle. */
-static intv is_inside(ray_space_corners s)
-{
-    const floatv zero = (floatv)(0.0f);
-    const floatv U = difference_of_products(s.cx, s.by, s.cy, s.bx);
-    const floatv V = difference_of_products(s.ax, s.cy, s.ay, s.cx);
-    const floatv W = difference_of_products(s.bx, s.ay, s.by, s.ax);
-    return ((U >= zero) & (V >= zero) & (W >= zero)) |
-           ((U <= zero) & (V <= zero) & (W <= zero));
-}
-
 /* Where the rays hit triangles that are in ray space, scaled. NaN anywhere ends in a miss. */
 static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
 {
+    lane_hits hits;
+    const floatv U = difference_of_products(s.cx, s.by, s.cy, s.bx);
+    const floatv V = difference_of_products(s.ax, s.cy, s.ay, s.cx);
+    const floatv W = difference_of_products(s.bx, s.ay, s.by, s.ax);
     const floatv zero = (floatv)(0.0f);
-    lane_hits hits = {is_inside(s), zero, zero, zero};
+    const floatv area = U + V + W;
+    hits.is_hit = (((U >= zero) & (V >= zero) & (W >= zero)) |
+                   ((U <= zero) & (V <= zero) & (W <= zero))) &
+                  (fabs(area) >= (floatv)(0x1p-102f));
+    hits.t = hits.u = hits.v = zero;
 #if RSH_WIDTH > 1
     /* Across work-items it saves nothing unless all of them leave; and Intel's CPU runtime
      * (2026.22) then lost a hit of the ones that stay. */
     if (!any_lane(hits.is_hit)) return hits;
 #endif
-    const floatv U = size_of_difference(s.cx, s.by, s.cy, s.bx);
-    const floatv V = size_of_difference(s.ax, s.cy, s.ay, s.cx);
-    const floatv W = size_of_difference(s.bx, s.ay, s.by, s.ax);
-    const floatv area = sum_in_any_order(U, V, W);
+
     const floatv inverse = (floatv)(1.0f) / area;
     hits.u = V * inverse; /* weights of the corners */
     hits.v = W * inverse;
-    const floatv depth = sum_in_any_order(U * inverse * s.az, hits.u * s.bz, hits.v * s.cz);
+    const floatv depth = U * inverse * s.az + hits.u * s.bz + hits.v * s.cz;
     const intv is_ahead =
         ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
-    hits.t = fma(depth, r.inverse_z, zero); /* never -0: that depends on the order */
-    hits.is_hit &=
-        is_ahead & (area >= (floatv)(0x1p-102f)) & (hits.t >= r.tmin) & (hits.t <= r.tmax);
+    hits.t = depth * r.inverse_z;
+    hits.is_hit &= is_ahead & (hits.t >= r.tmin) & (hits.t <= r.tmax);
     return hits;
 }
 

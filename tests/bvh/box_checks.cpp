@@ -93,8 +93,7 @@ bool is_scaled(const bvh_leaf& leaf) {
     for (uint32_t t = 0; t < 16; ++t) {
         test::Corners c;
         if (!corners_of(leaf, t, &c)) continue;
-        const float size =
-            std::max({max_norm(c[1] - c[0]), max_norm(c[2] - c[0]), max_norm(c[2] - c[1])});
+        const float size = std::max(max_norm(c[1] - c[0]), max_norm(c[2] - c[0]));
         if (!(size >= 0x1p-20f && size <= 0x1p20f)) return true;
     }
     return false;
