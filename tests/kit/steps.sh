@@ -60,7 +60,9 @@ make_cub_peer() {
         echo "no nvcc: CUB is not in the table"
         return 0
     }
-    "$nvcc" -O3 -std=c++17 -arch=native -o "$work/cub_peer" "$tree/tests/bench/reduce/cub/cub_peer.cu" || echo "CUB's peer does not compile: it is not in the table"
+    "$nvcc" -O3 -std=c++17 -arch=native -o "$work/cub_peer" \
+        "$tree/tests/bench/reduce/cub/cub_peer.cu" ||
+        echo "CUB's peer does not compile: it is not in the table"
 }
 
 step_prepare() {
@@ -77,9 +79,9 @@ step_prepare() {
 # A suite ends on its own before the step's limit, and names what it left out: no case begins within
 # the last tenth and 5 s.
 run_suite() {
-    local suite=$1 json=$2
+    local suite=$1 json=$2 limit=$((STEP_SECONDS * 9 / 10 - 5))
     shift 2
-    "$bench" "$suite" --json "$out/$json.json" --limit $((STEP_SECONDS * 9 / 10 - 5)) "$@"
+    "$bench" "$suite" --json "$out/$json.json" --limit $((limit > 1 ? limit : 1)) "$@"
 }
 
 # Compiled, not taken from a driver's cache.
