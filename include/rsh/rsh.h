@@ -77,7 +77,8 @@
  *              on it.
  *   Exactness  Hits do not depend on engine, strategy, budget or the order in which work-items
  *              run: they equal brute force with the same ray-triangle routine, bit for bit. Of
- *              equal t, the lower triangle index wins.
+ *              equal t, the lower triangle index wins; coincident triangles have equal t,
+ *              whichever corner comes first and whichever way round they are.
  *
  * All calls: since 0.1.
  */

@@ -31,13 +31,6 @@ static uint child_of_leaf(uint leaf, bool is_scaled)
 /* Side f of an empty box: low x y z, high x y z. */
 static float empty_side(uint f) { return f < 3 ? INFINITY : -INFINITY; }
 
-/* place: 16 * leaf + which of its triangles. */
-static uint triangle_at_place(__global const float* bvh, uint place)
-{
-    __global const float* leaf = bvh + leaf_at(place / 16);
-    return as_uint(leaf[RSH_TRIANGLES_AT + place % 16]);
-}
-
 static ulong node_at(const bvh_layout* layout, uint node)
 {
     return leaf_at(RSH_LEAVES(*layout)) + RSH_NODE_WORDS * node;

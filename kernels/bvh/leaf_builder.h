@@ -63,6 +63,7 @@ static void cut_triangles(leaf_builder* part, float leaf_cost)
 static bool store_leaf(const leaf_builder* part, uint first, uint length, __global float* leaf)
 {
     corner_rows corners;
+    uintv index[RSH_VECTORS];
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
 #pragma unroll
@@ -70,13 +71,11 @@ static bool store_leaf(const leaf_builder* part, uint first, uint length, __glob
             corners.row[i / 3][i % 3][v] =
                 select((floatv)(INFINITY), load_lanes(part->corner[i] + first + RSH_WIDTH * v),
                        is_there);
-        const uintv triangle =
+        index[v] =
             select((uintv)(RSH_NO_HIT), load_lanes(part->triangle + first + RSH_WIDTH * v),
                    as_uintv(is_there));
-        store_whole_uint(__global, triangle, leaf + RSH_TRIANGLES_AT + RSH_WIDTH * v);
     }
-    store_corners(&corners, leaf);
-    return is_any_scaled(&corners);
+    return store_triangles(&corners, index, leaf);
 }
 
 static void clear_leaves(__global float* leaf, uint count)

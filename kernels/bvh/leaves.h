@@ -122,16 +122,15 @@ static void load_corners(mesh_view mesh, __global const float* vertices,
 /* The same for up to 16 triangles by their indices; where an index is out of range, at
  * infinity. */
 static void load_numbered_corners(mesh_view mesh, __global const float* vertices,
-                                  __global const uint* indices, __global const uint* number,
+                                  __global const uint* indices, const uintv* index,
                                   corner_rows* corners)
 {
 #ifdef RSH_GATHER
-    const uint16 triangle = vload16(0, number);
-    const int16 is_there = triangle < (uint16)(mesh.triangle_count);
-    const uint16 stand_in = (uint16)(number[0]);
-    if (number[0] < mesh.triangle_count &&
+    const uint first = index[0].s0;
+    const int16 is_there = index[0] < (uint16)(mesh.triangle_count);
+    if (first < mesh.triangle_count &&
         load_sound_corners(mesh, vertices, indices,
-                           select(stand_in, triangle, as_uint16(is_there)), corners)) {
+                           select((uint16)(first), index[0], as_uint16(is_there)), corners)) {
 #pragma unroll
         for (uint i = 0; i < 9; ++i) {
             floatv* c = &corners->row[i / 3][i % 3][0];
@@ -141,8 +140,7 @@ static void load_numbered_corners(mesh_view mesh, __global const float* vertices
     }
 #endif
     for (uint v = 0; v < RSH_VECTORS; ++v)
-        load_corners_of(mesh, vertices, indices, load_lanes(number + RSH_WIDTH * v), v,
-                        corners);
+        load_corners_of(mesh, vertices, indices, index[v], v, corners);
 }
 
 /* Boxes of 16 triangles, not padded; empty for those that are never hit. */
@@ -159,26 +157,25 @@ static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
         }
 }
 
-/* Whether mesh/intersect.h scales any of the triangles. */
-static bool is_any_scaled(const corner_rows* corners)
+/* Stores triangles with their indices. Returns whether mesh/intersect.h scales any of them. */
+static bool store_triangles(const corner_rows* corners, const uintv* index,
+                            __global float* leaf)
 {
     uint scaled = 0;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         floatv corner[9];
 #pragma unroll
         for (uint i = 0; i < 9; ++i) corner[i] = corners->row[i / 3][i % 3][v];
+        const uintv places = put_lanes_in_order(corner);
+#pragma unroll
+        for (uint i = 0; i < 9; ++i)
+            store_whole(__global, corner[i], leaf + 16 * i + RSH_WIDTH * v);
+        store_whole_uint(__global, index[v] | places << RSH_PLACES_SHIFT,
+                         leaf + RSH_TRIANGLES_AT + RSH_WIDTH * v);
         scaled |= RSH_LANE_BITS((triangle_scale(corner) != (floatv)(1.0f)) &
                                 (corner[0] < (floatv)(INFINITY)));
     }
     return scaled != 0;
-}
-
-static void store_corners(const corner_rows* corners, __global float* leaf)
-{
-#pragma unroll
-    for (uint i = 0; i < 9; ++i)
-        for (uint v = 0; v < RSH_VECTORS; ++v)
-            store_whole(__global, corners->row[i / 3][i % 3][v], leaf + 16 * i + RSH_WIDTH * v);
 }
 
 /* Asks for the cache lines of a leaf that will be written soon. */

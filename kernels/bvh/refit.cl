@@ -15,11 +15,16 @@
 static bool refit_leaf(mesh_view mesh, __global const float* vertices,
                        __global const uint* indices, __global float* leaf, float* side)
 {
+    __global const uint* words = (__global const uint*)leaf + RSH_TRIANGLES_AT;
+    uintv index[RSH_VECTORS];
+    for (uint v = 0; v < RSH_VECTORS; ++v) {
+        const uintv word = load_lanes(words + RSH_WIDTH * v);
+        index[v] =
+            select(RSH_TRIANGLE_INDEX(word), word, as_uintv(word == (uintv)(RSH_NO_HIT)));
+    }
     corner_rows corners;
     boxes16 boxes;
-    load_numbered_corners(mesh, vertices, indices,
-                          (__global const uint*)leaf + RSH_TRIANGLES_AT, &corners);
-    store_corners(&corners, leaf);
+    load_numbered_corners(mesh, vertices, indices, index, &corners);
     boxes_of_corners(&corners, &boxes);
 #pragma unroll
     for (uint axis = 0; axis < 3; ++axis) {
@@ -27,7 +32,7 @@ static bool refit_leaf(mesh_view mesh, __global const float* vertices,
         side[3 + axis] = largest_lane(boxes.high[axis]);
     }
     pad_box(side);
-    return is_any_scaled(&corners);
+    return store_triangles(&corners, index, leaf);
 }
 
 /* Boxes of a node's children, and the box around them all, which goes to nodes[number]. leaves,

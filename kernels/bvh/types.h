@@ -7,13 +7,19 @@
 
 #include "rsh/rsh_types.h"
 
-/* Up to 16 triangles side by side, [corner][axis][triangle]. Where there is no triangle, or one
- * that is never hit, its corners are at infinity. */
+/* Up to 16 triangles side by side, [corner][axis][triangle], their corners in order. Where there
+ * is no triangle, or one that is never hit, its corners are at infinity. */
 typedef struct bvh_leaf {
     rsh_float corner[3][3][16];
-    rsh_uint triangle[16]; /* index of each; RSH_NO_HIT: none */
+    rsh_uint triangle[16]; /* of each, index and places; RSH_NO_HIT: none */
 } bvh_leaf;
 RSH_ASSERT_SIZE(bvh_leaf, 640);
+
+/* Of bvh_leaf::triangle: the index, below 2^28; above it, where the caller's corners went
+ * (mesh/corner_order.h). */
+#define RSH_TRIANGLE_INDEX(word) (0x0fffffffu & (word))
+#define RSH_PLACES_SHIFT 28
+#define RSH_TRIANGLE_PLACES(word) ((word) >> RSH_PLACES_SHIFT)
 
 /* Up to 16 children side by side, leaves or other nodes, and their boxes, [axis][child]. The
  * box of an empty slot has low = infinity, high = -infinity. */

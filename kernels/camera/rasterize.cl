@@ -103,13 +103,14 @@ static void offer(const raster_input* input, pixel_square* square, uint i)
     if (!meets_square(square, box) ||
         !load_triangle(input->mesh, input->vertices, input->indices, i, &triangle))
         return;
+    const uint places = put_in_order(&triangle);
     floatv corner[9];
     broadcast_triangle(triangle, corner);
     const int4 met = lanes_met(square, box);
     for (int y = met.y; y <= met.w; ++y)
         for (int x = met.x; x <= met.z; ++x) {
             pixel_lanes* lanes = &square->lanes[y * RSH_COLUMNS + x];
-            keep_closer(&lanes->best, intersect(lanes->rays, corner), i);
+            keep_closer(&lanes->best, intersect(lanes->rays, corner), i, places);
         }
 }
 

@@ -12,6 +12,9 @@
  * neighbour, or on the edge (a hit) for both. No crack, also at vertices; no double-precision
  * fallback.
  *
+ * Corners are taken in the order of mesh/corner_order.h, so that coincident triangles have the same
+ * t, and are hit or not together, in whatever order their corners come.
+ *
  * Triangles far from unit size are scaled, in that plane, by a power of two: exact, and the
  * products neither overflow nor drown, whatever the scene's unit. Shearing at most doubles the
  * size, so that a ray that hits sees corners no farther away than 2^22; products that overflow
@@ -31,7 +34,7 @@
 #ifndef RSH_MESH_INTERSECT_H
 #define RSH_MESH_INTERSECT_H
 
-#include "mesh/triangles.h"
+#include "mesh/corner_order.h"
 
 /* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
  * cyclically. */
@@ -44,8 +47,8 @@ typedef struct sheared_rays {
 
 /* Hits of rays with triangles, a lane each. */
 typedef struct lane_hits {
-    intv is_hit; /* mask */
-    floatv t, u, v;
+    intv is_hit;         /* mask */
+    floatv t, weight[3]; /* of the corners in their order, see mesh/corner_order.h */
 } lane_hits;
 
 /* The closest hits of some rays so far, a lane each. */
@@ -159,7 +162,7 @@ static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
     hits.is_hit = (((U >= zero) & (V >= zero) & (W >= zero)) |
                    ((U <= zero) & (V <= zero) & (W <= zero))) &
                   (fabs(area) >= (floatv)(0x1p-102f));
-    hits.t = hits.u = hits.v = zero;
+    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = zero;
 #if RSH_WIDTH > 1
     /* Across work-items it saves nothing unless all of them leave; and Intel's CPU runtime
      * (2026.22) then lost a hit of the ones that stay. */
@@ -167,9 +170,10 @@ static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
 #endif
 
     const floatv inverse = (floatv)(1.0f) / area;
-    hits.u = V * inverse; /* weights of the corners */
-    hits.v = W * inverse;
-    const floatv depth = U * inverse * s.az + hits.u * s.bz + hits.v * s.cz;
+    hits.weight[0] = U * inverse;
+    hits.weight[1] = V * inverse;
+    hits.weight[2] = W * inverse;
+    const floatv depth = hits.weight[0] * s.az + hits.weight[1] * s.bz + hits.weight[2] * s.cz;
     const intv is_ahead =
         ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
     hits.t = depth * r.inverse_z;
@@ -177,7 +181,7 @@ static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
     return hits;
 }
 
-/* corner[3 * i + axis]: one triangle per lane, or one for all. */
+/* corner[3 * i + axis], in order: one triangle per lane, or one for all. */
 static lane_hits intersect(sheared_rays r, const floatv* corner)
 {
     ray_space_corners sheared = to_ray_space(r, corner);
@@ -190,15 +194,15 @@ static closest_hits no_hits(void)
     return (closest_hits){(floatv)(0.0f), (floatv)(0.0f), (floatv)(0.0f), (uintv)(RSH_NO_HIT)};
 }
 
-/* Triangles come in ascending order, so of equal t the first one stays. */
-static void keep_closer(closest_hits* best, lane_hits hits, uint triangle)
+/* Triangles come in ascending order, so of equal t the first one stays. places: of its corners. */
+static void keep_closer(closest_hits* best, lane_hits hits, uint triangle, uint places)
 {
     const intv is_better =
         hits.is_hit & ((hits.t < best->t) | (best->primitive == (uintv)(RSH_NO_HIT)));
     if (!any_lane(is_better)) return;
     best->t = select(best->t, hits.t, is_better);
-    best->u = select(best->u, hits.u, is_better);
-    best->v = select(best->v, hits.v, is_better);
+    best->u = select(best->u, weight_of_corner(hits.weight, 1, places), is_better);
+    best->v = select(best->v, weight_of_corner(hits.weight, 2, places), is_better);
     best->primitive = select(best->primitive, (uintv)(triangle), as_uintv(is_better));
 }
 
@@ -224,14 +228,15 @@ static bool intersect_one(rsh_ray ray, triangle_points triangle, rsh_hit* hit)
                    (floatv)(ray.origin_tmin.z), (floatv)(ray.direction_tmax.x),
                    (floatv)(ray.direction_tmax.y), (floatv)(ray.direction_tmax.z),
                    (floatv)(ray.origin_tmin.w), (floatv)(ray.direction_tmax.w));
+    const uint places = put_in_order(&triangle);
     floatv corner[9];
     broadcast_triangle(triangle, corner);
     const lane_hits hits = intersect(r, corner);
     float lanes[3 * RSH_WIDTH];
     int is_hit[RSH_WIDTH];
     store_lanes(hits.t, lanes);
-    store_lanes(hits.u, lanes + RSH_WIDTH);
-    store_lanes(hits.v, lanes + 2 * RSH_WIDTH);
+    store_lanes(weight_of_corner(hits.weight, 1, places), lanes + RSH_WIDTH);
+    store_lanes(weight_of_corner(hits.weight, 2, places), lanes + 2 * RSH_WIDTH);
     store_lanes(hits.is_hit, is_hit);
     hit->t = lanes[0];
     hit->u = lanes[RSH_WIDTH];

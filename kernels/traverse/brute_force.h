@@ -49,15 +49,15 @@ static void drop_left(const triangles_left* left, sheared_rays r, const uint* in
     hits->is_hit &= ~mask_of_bits(none);
 }
 
-/* The closest hits of a vector of rays, and now this triangle. */
+/* The closest hits of a vector of rays, and now this triangle, whose corners are in order. */
 static void offer(const triangles_left* left, sheared_rays r, const uint* index, uint triangle,
-                  triangle_points points, closest_hits* best)
+                  triangle_points points, uint places, closest_hits* best)
 {
     floatv corner[9];
     broadcast_triangle(points, corner);
     lane_hits hits = intersect(r, corner);
     if (left->skip && any_lane(hits.is_hit)) drop_left(left, r, index, triangle, points, &hits);
-    keep_closer(best, hits, triangle);
+    keep_closer(best, hits, triangle, places);
 }
 
 /* index: of RSH_RAYS_PER_ITEM rays. */
@@ -72,8 +72,9 @@ static void trace_by_force(const triangles_left* left, const uint* index, item_h
     for (uint i = 0; i < left->mesh.triangle_count; ++i) {
         triangle_points p;
         if (!load_triangle(left->mesh, left->vertices, left->indices, i, &p)) continue;
+        const uint places = put_in_order(&p);
         for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b)
-            offer(left, sheared[b], index + b * RSH_WIDTH, i, p, &best[b]);
+            offer(left, sheared[b], index + b * RSH_WIDTH, i, p, places, &best[b]);
     }
     for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
         store_lanes(best[b].t, hits->t + b * RSH_WIDTH);

@@ -6,6 +6,7 @@
 
 #include "mesh/leaving.h"
 #include "rays/box_node.h"
+#include "traverse/leaf_triangle.h"
 
 typedef struct ray_packet {
     sheared_rays ray[RSH_VECTORS];         /* tmax: of the closest hit so far; -1: retired */
@@ -134,32 +135,6 @@ static uint rays_meeting(const ray_packet* packet, const int* sign, const float*
 
 static float lane_of(const floatv* v, uint k) { return ((const float*)v)[k]; }
 
-/* One triangle that all lanes are tested against. */
-typedef struct triangle_corners {
-    float at[12]; /* x y z of three corners, then padding that is never read */
-    float scale;  /* see triangle_scale */
-} triangle_corners;
-
-static float scale_of(const float* at)
-{
-    floatv corner[9];
-    for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[i]);
-    const floatv scale = triangle_scale(corner);
-    return lane_of(&scale, 0);
-}
-
-static void fetch_corners(triangle_corners* corners, mesh_view mesh,
-                          __global const float* vertices, __global const uint* indices,
-                          uint triangle)
-{
-    triangle_points p;
-    load_triangle(mesh, vertices, indices, triangle, &p);
-    vstore3(p.v0, 0, corners->at);
-    vstore3(p.v1, 1, corners->at);
-    vstore3(p.v2, 2, corners->at);
-    corners->scale = scale_of(corners->at);
-}
-
 /* to_ray_space of mesh/intersect.h, where all rays share kz: nothing to select. */
 #define RSH_TO_RAY_SPACE(axis_x, axis_y, axis_z, ox, oy, oz)       \
     do {                                                           \
@@ -221,28 +196,30 @@ static intv without_left(const ray_packet* packet, uint v, const float* at, uint
 
 /* True if a ray has a closer hit now. Of equal t the lower triangle stays, in whatever order
  * they come. is_any: a ray that hits something is retired. */
-static bool intersect_packet(ray_packet* packet, const triangle_corners* corners, uint triangle,
-                             bool is_any)
+static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
 {
     bool changed = false;
     for (uint v = 0; v < RSH_VECTORS; ++v) {
         const sheared_rays r = packet->ray[v];
-        ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, corners->at);
-        if (corners->scale != 1.0f) scale_across(&sheared, (floatv)(corners->scale));
+        ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, triangle->at);
+        if (triangle->scale != 1.0f) scale_across(&sheared, (floatv)(triangle->scale));
         const lane_hits hits = intersect_sheared(r, sheared);
-        intv is_better =
-            hits.is_hit & ((hits.t < r.tmax) | ((uintv)(triangle) < packet->primitive[v]));
+        intv is_better = hits.is_hit & ((hits.t < r.tmax) |
+                                        ((uintv)(triangle->index) < packet->primitive[v]));
         if (!any_lane(is_better)) continue;
         if (packet->left) {
-            is_better = without_left(packet, v, corners->at, triangle, is_better, hits.t);
+            is_better =
+                without_left(packet, v, triangle->at, triangle->index, is_better, hits.t);
             if (!any_lane(is_better)) continue;
         }
         changed = true;
         packet->ray[v].tmax = select(r.tmax, is_any ? (floatv)(-1.0f) : hits.t, is_better);
-        packet->u[v] = select(packet->u[v], hits.u, is_better);
-        packet->v[v] = select(packet->v[v], hits.v, is_better);
+        packet->u[v] =
+            select(packet->u[v], weight_of_corner(hits.weight, 1, triangle->places), is_better);
+        packet->v[v] =
+            select(packet->v[v], weight_of_corner(hits.weight, 2, triangle->places), is_better);
         packet->primitive[v] =
-            select(packet->primitive[v], (uintv)(triangle), as_uintv(is_better));
+            select(packet->primitive[v], (uintv)(triangle->index), as_uintv(is_better));
     }
     return changed;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "bvh/types.h"
 #include "oracle/containment.hpp"
@@ -49,23 +50,48 @@ bool corners_of(const bvh_leaf& leaf, uint32_t k, test::Corners* corners) {
     return finite((*corners)[0]) && finite((*corners)[1]) && finite((*corners)[2]);
 }
 
-// Bit for bit, or at infinity where the triangle is never hit.
+auto key(const Float3& v) {
+    return std::make_tuple(v.x, v.y, v.z);
+}
+
+// By x, then y, then z.
+test::Corners in_order(test::Corners c) {
+    std::sort(c.begin(), c.end(),
+              [](const Float3& a, const Float3& b) { return key(a) < key(b); });
+    return c;
+}
+
+// Whether `places` say where the given corners 1 and 2 went.
+bool are_places(uint32_t places, const test::Corners& given, const test::Corners& ordered) {
+    const uint32_t one = places % 4, two = places / 4;
+    return one < 3 && two < 3 && one != two && key(ordered[one]) == key(given[1]) &&
+           key(ordered[two]) == key(given[2]);
+}
+
+bool is_hit(const test::Mesh& mesh, uint32_t triangle, test::Corners* corners) {
+    return triangle < mesh.triangle_count() && mesh.corners(triangle, corners) &&
+           finite((*corners)[0]) && finite((*corners)[1]) && finite((*corners)[2]);
+}
+
+// In order, or at infinity where the triangle is never hit. word: of the leaf, or RSH_NO_HIT.
 ::testing::AssertionResult is_triangle(const bvh_leaf& leaf, uint32_t k, const test::Mesh& mesh,
-                                       uint32_t t) {
+                                       uint32_t word) {
+    const Float3 nowhere(INFINITY, INFINITY, INFINITY);
     test::Corners given, stored;
-    const bool is_hit = t < mesh.triangle_count() && mesh.corners(t, &given) &&
-                        finite(given[0]) && finite(given[1]) && finite(given[2]);
-    const bool is_finite = corners_of(leaf, k, &stored);
+    corners_of(leaf, k, &stored);
+    const bool is_seen = word != RSH_NO_HIT && is_hit(mesh, RSH_TRIANGLE_INDEX(word), &given);
+    const test::Corners expected =
+        is_seen ? in_order(given) : test::Corners{nowhere, nowhere, nowhere};
     for (int i = 0; i < 3; ++i)
-        for (int axis = 0; axis < 3; ++axis) {
-            const float expected = is_hit ? (&given[i].x)[axis] : INFINITY;
-            if (leaf.corner[i][axis][k] != expected)
-                return ::testing::AssertionFailure()
-                       << "triangle " << t << ", corner " << i << ", axis " << axis << ": "
-                       << leaf.corner[i][axis][k] << " instead of " << expected;
-        }
-    return (is_finite == is_hit ? ::testing::AssertionSuccess()
-                                : ::testing::AssertionFailure());
+        if (key(stored[i]) != key(expected[i]))
+            return ::testing::AssertionFailure()
+                   << "triangle " << RSH_TRIANGLE_INDEX(word) << ", corner " << i << ": "
+                   << ::testing::PrintToString(key(stored[i])) << " instead of "
+                   << ::testing::PrintToString(key(expected[i]));
+    if (is_seen && !are_places(RSH_TRIANGLE_PLACES(word), given, stored))
+        return ::testing::AssertionFailure() << "triangle " << RSH_TRIANGLE_INDEX(word)
+                                             << ": places " << RSH_TRIANGLE_PLACES(word);
+    return ::testing::AssertionSuccess();
 }
 
 // The triangles, padded.
@@ -139,8 +165,8 @@ public:
     std::vector<uint32_t> order() const {
         std::vector<uint32_t> order;
         for (const uint32_t number : leaves_)
-            for (const uint32_t t : bvh_.leaves[number].triangle)
-                if (t != RSH_NO_HIT) order.push_back(t);
+            for (const uint32_t word : bvh_.leaves[number].triangle)
+                if (word != RSH_NO_HIT) order.push_back(RSH_TRIANGLE_INDEX(word));
         return order;
     }
 

@@ -33,10 +33,16 @@ std::vector<Float3> two_rows(uint32_t near, uint32_t far) {
     return points;
 }
 
+std::vector<uint32_t> triangles_of(const bvh_leaf& leaf) {
+    std::vector<uint32_t> triangles;
+    for (const uint32_t word : leaf.triangle)
+        if (word != RSH_NO_HIT) triangles.push_back(RSH_TRIANGLE_INDEX(word));
+    return triangles;
+}
+
 std::set<uint32_t> clumps_in(const bvh_leaf& leaf, uint32_t count) {
     std::set<uint32_t> clumps;
-    for (const uint32_t t : leaf.triangle)
-        if (t != RSH_NO_HIT) clumps.insert(t / count);
+    for (const uint32_t t : triangles_of(leaf)) clumps.insert(t / count);
     return clumps;
 }
 
@@ -120,10 +126,9 @@ TEST(BoxCuts, HaveTheLeastSurface) {
         double cost = 0;
         uint32_t leaves = 0;
         for (const bvh_leaf& leaf : bvh.leaves) {
-            if (leaf.triangle[0] == RSH_NO_HIT) continue;
-            const auto* end = std::find(leaf.triangle, leaf.triangle + 16, RSH_NO_HIT);
-            cost += leaf_cost +
-                    sides_of(mesh, leaf.triangle, size_t(end - leaf.triangle)).surface();
+            const std::vector<uint32_t> triangles = triangles_of(leaf);
+            if (triangles.empty()) continue;
+            cost += leaf_cost + sides_of(mesh, triangles.data(), triangles.size()).surface();
             ++leaves;
         }
         ASSERT_LE(14 * leaves, count + 28) << "there was no room for the best cuts";

@@ -5,7 +5,6 @@
 #ifndef RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 #define RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 
-#include "bvh/layout.h"
 #include "traverse/packet16.h"
 
 typedef struct range_target {
@@ -35,12 +34,10 @@ static void load_target_packet(const range_target* target, const ray_tile* tile,
 /* True if a ray has a closer hit now. */
 static bool offer_triangle(const range_target* target, ray_packet* packet, uint place)
 {
-    const uint triangle = triangle_at_place(target->bounds, place);
-    if (triangle == RSH_NO_HIT) return false;
-    triangle_corners corners;
-    fetch_corners(&corners, target->left.mesh, target->left.vertices, target->left.indices,
-                  triangle);
-    return intersect_packet(packet, &corners, triangle, target->occlusion_bit != 0);
+    __global const float* leaf = target->bounds + leaf_at(place / 16);
+    if (as_uint(leaf[RSH_TRIANGLES_AT + place % 16]) == RSH_NO_HIT) return false;
+    const leaf_triangle triangle = leaf_triangle_at(leaf, place % 16, true);
+    return intersect_packet(packet, &triangle, target->occlusion_bit != 0);
 }
 
 static void store_target_packet(const range_target* target, ray_tile tile, uint b,

@@ -67,6 +67,7 @@ static void gather_pairs(const hit_target* target, const stream_pair* pairs, uin
                           load_lanes(lanes[4]), load_lanes(lanes[5]), load_lanes(lanes[6]),
                           load_lanes(lanes[3]), load_lanes(lanes[7]));
     for (uint f = 0; f < 9; ++f) corner[f] = load_lanes(lanes[8 + f]);
+    put_lanes_in_order(corner);
 }
 
 /* Whether mesh/leaving.h says that a pair's hit is none. */
@@ -77,6 +78,7 @@ static bool is_pair_left(const triangles_left* left, stream_pair pair, float t, 
     if (skip == RSH_NO_HIT) return false;
     triangle_points corners;
     load_triangle(left->mesh, left->vertices, left->indices, pair.triangle, &corners);
+    put_in_order(&corners);
     return t <= RSH_DOUBTFUL_DEPTH * triangle_extent(corners) * inverse_z &&
            is_separated(left, pair.node, corners);
 }

@@ -7,7 +7,6 @@
 
 typedef struct loaded_leaf {
     __global const float* corners; /* see bvh_leaf */
-    __global const uint* triangles;
     bool is_scaled;
     boxes16 boxes; /* of the triangles */
 } loaded_leaf;
@@ -17,7 +16,6 @@ typedef struct loaded_leaf {
 static void load_leaf(const traversal_state* state, const bvh_child* box, loaded_leaf* leaf)
 {
     leaf->corners = leaf_of(state, box->child);
-    leaf->triangles = (__global const uint*)leaf->corners + RSH_TRIANGLES_AT;
     leaf->is_scaled = (box->child & RSH_SCALED) != 0;
     float reach = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
@@ -35,12 +33,9 @@ static void load_leaf(const traversal_state* state, const bvh_child* box, loaded
 
 static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf, uint k, uint b)
 {
-    triangle_corners corners;
-    corners.scale = 1.0f;
-    for (uint i = 0; i < 9; ++i) corners.at[i] = leaf->corners[16 * i + k];
-    if (leaf->is_scaled) corners.scale = scale_of(corners.at);
+    const leaf_triangle triangle = leaf_triangle_at(leaf->corners, k, leaf->is_scaled);
     state->ray_tests += 16;
-    if (intersect_packet(packet_of(state, b), &corners, leaf->triangles[k], state->is_any))
+    if (intersect_packet(packet_of(state, b), &triangle, state->is_any))
         lower_block_limit(state, b);
 }
 

@@ -4,7 +4,6 @@
 #ifndef RSH_TRAVERSE_TILES_SINGLE_RAY_H
 #define RSH_TRAVERSE_TILES_SINGLE_RAY_H
 
-#include "bvh/layout.h"
 #include "traverse/packet16.h"
 
 typedef struct single_ray {
@@ -151,22 +150,27 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
         const lane_hits hits = intersect_sheared(r, sheared);
         uint met = RSH_LANE_BITS(hits.is_hit);
         if (!met) continue;
-        float t[RSH_WIDTH], u[RSH_WIDTH], w[RSH_WIDTH];
+        float t[RSH_WIDTH], weight[RSH_WIDTH];
         store_lanes(hits.t, t);
-        store_lanes(hits.u, u);
-        store_lanes(hits.v, w);
+        uint closest = RSH_WIDTH, places = 0;
         for (; met; met &= met - 1) {
-            const uint k = 31 - clz(met & -met), triangle = triangles[RSH_WIDTH * v + k];
+            const uint k = 31 - clz(met & -met), word = triangles[RSH_WIDTH * v + k];
+            const uint triangle = RSH_TRIANGLE_INDEX(word);
             if (!(t[k] < ray->tmax || (t[k] == ray->tmax && triangle < ray->primitive)))
                 continue;
             if (ray->left && is_leaf_hit_left(ray, leaf, RSH_WIDTH * v + k, triangle, t[k]))
                 continue;
-            changed = true;
+            closest = k;
+            places = RSH_TRIANGLE_PLACES(word);
             ray->tmax = t[k];
-            ray->u = u[k];
-            ray->v = w[k];
             ray->primitive = triangle;
         }
+        if (closest == RSH_WIDTH) continue;
+        changed = true;
+        store_lanes(weight_of_corner(hits.weight, 1, places), weight);
+        ray->u = weight[closest];
+        store_lanes(weight_of_corner(hits.weight, 2, places), weight);
+        ray->v = weight[closest];
     }
     if (changed && is_any) ray->tmax = -1.0f;
     ray->limit = ray->tmax * RSH_RAISED;
