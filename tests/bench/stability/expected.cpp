@@ -53,6 +53,10 @@ Expected expected_answers(const Scene& scene, Kind kind, size_t most) {
     expected.answers = expected.is_exact ? oracle::lattice_closest(scene.mesh, rays, skip)
                                          : oracle::closest(scene.mesh, rays, skip);
     if (kind == Kind::kClosed) forbid_leaks(expected.answers);
+    for (size_t k = 0; k < rays.size(); ++k) {
+        if (test::is_active(rays[k])) expected.decisions += scene.mesh.triangle_count();
+        expected.undecided += expected.answers[k].undecided;
+    }
     expected.twins = find_twins(scene.mesh);
     return expected;
 }

@@ -9,7 +9,9 @@ namespace bench::stability {
 struct Expected {
     std::vector<size_t> rays;  // ascending
     std::vector<oracle::Answer> answers;
-    bool is_exact;  // no other is right
+    bool is_exact;           // no other is right
+    uint64_t decisions = 0;  // active rays, times triangles
+    uint64_t undecided = 0;  // of these
     std::vector<uint32_t>
         twins;  // per triangle, the lowest with the same corners in their order
 };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace bench::stability {
 namespace {
 
@@ -12,21 +14,32 @@ std::vector<rsh_hit> brute_force(const TracedScene& scene) {
     return scene.closest(column, false);
 }
 
-void run_round(const Device& device, const Family& family, test::Random& random,
-               const std::vector<Variant>& variants, const Amount& amount,
-               std::vector<Tally>& tallies) {
-    const Scene scene = family.make(random, amount.extent);
+// Adds to the tallies of those variants whose turn it is.
+Totals run_round(const Device& device, const Family& family, test::Random& random,
+                 const std::vector<Variant>& variants, const Amount& amount, uint32_t round,
+                 std::vector<Tally>& tallies) {
+    const Scene scene = family.make(random, amount.extent(round));
     const Expected expected = expected_answers(scene, family.kind, amount.judged_rays);
     const TracedScene on_device(device, scene);
     const std::vector<rsh_hit> reference = brute_force(on_device);
+    const uint64_t pairs = count_pairs(scene);
+    Totals totals = {scene.rays.rays.size(), pairs, expected.decisions, expected.undecided};
     for (size_t i = 0; i < variants.size(); ++i) {
         const auto& [column, is_list, is_any] = variants[i];
+        if (!amount.goes(round, variants[i].way())) continue;
+        totals.pairs += pairs;
         if (is_any)
             tallies[i].add_occlusion(scene, expected, reference,
                                      on_device.any(column, is_list));
         else
             tallies[i].add_hits(scene, expected, reference, on_device.closest(column, is_list));
     }
+    return totals;
+}
+
+bool any_goes(const std::vector<Variant>& variants, const Amount& amount, uint32_t round) {
+    return std::any_of(variants.begin(), variants.end(),
+                       [&](const Variant& v) { return amount.goes(round, v.way()); });
 }
 
 }  // namespace
@@ -46,23 +59,27 @@ std::string case_name(const Family& family, const Variant& variant) {
                        p["rays"].get<std::string>(), p["query"].get<std::string>());
 }
 
-std::vector<Case> run_family(const Device& device, const Family& family, uint64_t salt,
-                             const std::vector<Variant>& variants, const Amount& amount,
-                             const Limit& limit) {
+FamilyResult run_family(const Device& device, const Family& family, uint64_t salt,
+                        const std::vector<Variant>& variants, const Amount& amount,
+                        const Limit& limit, const std::function<void(uint32_t)>& begin) {
     std::vector<Tally> tallies(variants.size());
-    uint32_t rounds = 0;
-    for (; rounds < amount.rounds && (rounds == 0 || !limit.has_passed()); ++rounds) {
-        test::Random random(salt << 32 | rounds);
-        run_round(device, family, random, variants, amount, tallies);
+    FamilyResult result;
+    for (; result.rounds < amount.rounds; ++result.rounds) {
+        const bool is_turn_done = result.rounds >= (amount.is_in_turn ? kWays : 1);
+        if (is_turn_done && limit.has_passed()) break;
+        begin(result.rounds);
+        if (!any_goes(variants, amount, result.rounds)) continue;
+        test::Random random(salt << 32 | result.rounds);
+        result.totals.add(
+            run_round(device, family, random, variants, amount, result.rounds, tallies));
     }
-    std::vector<Case> cases;
     for (size_t i = 0; i < variants.size(); ++i) {
         nlohmann::json p = params_of(family, variants[i]);
-        p["rounds"] = rounds;
-        cases.push_back({case_name(family, variants[i]), p, tallies[i].metrics(),
-                         tallies[i].is_good(family.kind)});
+        p["rounds"] = result.rounds;
+        result.cases.push_back({case_name(family, variants[i]), p, tallies[i].metrics(),
+                                tallies[i].is_good(family.kind)});
     }
-    return cases;
+    return result;
 }
 
 }  // namespace bench::stability

@@ -9,16 +9,12 @@
 #include "progress.hpp"
 #include "stability/run_family.hpp"
 #include "stability/stability_text.hpp"
+#include "stability/sum.hpp"
 
 namespace bench {
 namespace {
 
 using namespace stability;
-
-// Quick: every family within a minute on two cores. Full: 1e8 rays and 1e8 decisions in all.
-constexpr Amount kQuick = {{32, 300}, 1, 1024};
-constexpr Amount kUsual = {{64, 600}, 4, 1024};
-constexpr Amount kFull = {{256, 600}, 45, 1024};
 
 struct Selected {
     Family family;
@@ -35,13 +31,20 @@ std::vector<Variant> all_variants(const Device& device) {
     return variants;
 }
 
+// Of its name alone, so that a family's scenes do not depend on what other families there are.
+uint64_t salt_of(const Family& family) {
+    uint32_t hash = 2166136261u;
+    for (const char* c = family.name; *c; ++c)
+        hash = (hash ^ static_cast<unsigned char>(*c)) * 16777619u;
+    return hash;
+}
+
 std::vector<Selected> select(const Device& device, const std::string& filter) {
     const std::regex wanted(filter.empty() ? "." : filter);
     const std::vector<Variant> variants = all_variants(device);
     std::vector<Selected> selected;
-    uint64_t salt = 0;
     for (const Family& family : all_families()) {
-        Selected one = {family, ++salt, {}};
+        Selected one = {family, salt_of(family), {}};
         for (const Variant& variant : variants)
             if (std::regex_search(case_name(family, variant), wanted))
                 one.variants.push_back(variant);
@@ -50,19 +53,57 @@ std::vector<Selected> select(const Device& device, const std::string& filter) {
     return selected;
 }
 
-std::vector<Case> run_selected(const Device& device, const Limit& limit, const Selected& one,
-                               const Amount& amount) {
+FamilyResult run_selected(const Device& device, const Limit& limit, const Selected& one,
+                          const Amount& amount, ProgressBar& progress) {
+    const auto begin = [&](uint32_t round) {
+        progress.begin(fmt::format("{} {} of {}", one.family.name, round + 1, amount.rounds));
+    };
     try {
-        return run_family(device, one.family, one.salt, one.variants, amount, limit);
+        return run_family(device, one.family, one.salt, one.variants, amount, limit, begin);
     } catch (const std::exception& error) {
-        std::vector<Case> failed;
+        FamilyResult failed;
+        failed.rounds = amount.rounds;
         for (const Variant& variant : one.variants)
-            failed.push_back({case_name(one.family, variant),
-                              params_of(one.family, variant),
-                              {{"error", describe_error(error)}},
-                              false});
+            failed.cases.push_back({case_name(one.family, variant),
+                                    params_of(one.family, variant),
+                                    {{"error", describe_error(error)}},
+                                    false});
         return failed;
     }
+}
+
+void leave_out_rounds(const Run& run, const Selected& one, uint32_t from, uint32_t to) {
+    if (from < to)
+        run.results.leave_out(
+            fmt::format("stability/family:{}, rounds {} to {}", one.family.name, from + 1, to),
+            run.limit.when_passed());
+}
+
+void list(const std::vector<Selected>& selected) {
+    for (const Selected& one : selected)
+        for (const Variant& variant : one.variants)
+            fmt::print("{}\n", case_name(one.family, variant));
+}
+
+void run_all(const Run& run, const Device& device, const std::vector<Selected>& selected,
+             const Amount& amount) {
+    Totals totals;
+    ProgressBar progress(selected.size() * amount.rounds);
+    for (const Selected& one : selected) {
+        FamilyResult result;
+        if (!run.limit.has_passed())
+            result = run_selected(device, run.limit, one, amount, progress);
+        leave_out_rounds(run, one, result.rounds, amount.rounds);
+        for (const Case& c : result.cases) {
+            fmt::print("{}", as_text(c));
+            run.results.add(c);
+        }
+        totals.add(result.totals);
+    }
+    if (run.results.cases().empty()) return;
+    const Case sum = sum_of(run.results.cases(), totals);
+    fmt::print("{}", table_by_family(run.results.cases(), sum));
+    run.results.add(sum);
 }
 
 }  // namespace
@@ -72,31 +113,24 @@ void StabilitySuite::add_options(CLI::App& app) {
     app.add_option("--vector-width", vector_width_,
                    "Of the kernels; the hashes must be the same")
         ->check(CLI::IsMember({1, 4, 8, 16}));
-    app.add_flag("--full", is_full_, "All that a proof needs, in hours");
+    app.add_flag("--full", is_full_, "1e8 rays and 1e10 pairs, in up to two hours");
+    app.add_flag("--hundredth", is_hundredth_, "A hundredth of --full");
     app.add_flag("--list", lists_, "Print the names of the cases instead of running them");
 }
 
 void StabilitySuite::run(const Run& run) {
-    if (run.quick && is_full_) throw std::invalid_argument("--full: not together with --quick");
-    const Amount amount = run.quick ? kQuick : is_full_ ? kFull : kUsual;
+    if (run.quick + is_full_ + is_hundredth_ > 1)
+        throw std::invalid_argument("--quick, --full, --hundredth: not together");
+    const Amount& amount = run.quick       ? kQuick
+                           : is_full_      ? kFull
+                           : is_hundredth_ ? kHundredth
+                                           : kUsual;
     const Device device(run.device, vector_width_);
     const std::vector<Selected> selected = select(device, filter_);
-    ProgressBar progress(lists_ ? 0 : selected.size());
-    for (const Selected& one : selected) {
-        if (!lists_) progress.begin(one.family.name);
-        const bool is_late = run.limit.has_passed();
-        for (const Variant& variant : one.variants) {
-            if (lists_) fmt::print("{}\n", case_name(one.family, variant));
-            if (!lists_ && is_late)
-                run.results.leave_out(case_name(one.family, variant), run.limit.when_passed());
-        }
-        if (lists_ || is_late) continue;
-        for (const Case& result : run_selected(device, run.limit, one, amount)) {
-            fmt::print("{}", as_text(result));
-            run.results.add(result);
-        }
-    }
-    fmt::print("{}", table_by_family(run.results.cases()));
+    if (lists_)
+        list(selected);
+    else
+        run_all(run, device, selected, amount);
 }
 
 }  // namespace bench

@@ -18,7 +18,7 @@ public:
 private:
     std::string filter_;
     cl_uint vector_width_ = 0;
-    bool is_full_ = false;
+    bool is_full_ = false, is_hundredth_ = false;
     bool lists_ = false;
 };
 

@@ -42,9 +42,9 @@ struct Worst {
         t_error = std::max(t_error, c.metrics.value("t_error_of_budget", 0.0));
         wrong += !c.ok;
     }
-    void add_row(const std::string& name, TextTable& table) {
+    void add_row(const std::string& name, TextTable& table) const {
         TextTable::Row row = {name, std::to_string(wrong)};
-        for (const Count& one : kCounts) row.push_back(std::to_string(counts[one.key]));
+        for (const Count& one : kCounts) row.push_back(std::to_string(counts.at(one.key)));
         row.push_back(fmt::format("{:.2f}", t_error));
         table.add(row);
     }
@@ -68,8 +68,7 @@ std::string as_text(const Case& c) {
     return text + (m.contains("why") ? "; first: " + m["why"].get<std::string>() : "") + '\n';
 }
 
-std::string table_by_family(const std::vector<Case>& cases) {
-    if (cases.empty()) return "";
+std::string table_by_family(const std::vector<Case>& cases, const Case& sum) {
     std::vector<std::pair<std::string, Worst>> families;
     for (const Case& c : cases) {
         const auto name = c.params["family"].get<std::string>();
@@ -81,15 +80,20 @@ std::string table_by_family(const std::vector<Case>& cases) {
     heads.push_back("t err");
     TextTable table(heads, 1);
     Worst all;
+    all.add(sum);
+    all.wrong = 0;
     for (auto& [name, worst] : families) {
         worst.add_row(name, table);
-        for (const Count& one : kCounts) all.counts[one.key] += worst.counts[one.key];
-        all.t_error = std::max(all.t_error, worst.t_error);
         all.wrong += worst.wrong;
     }
     all.add_row("all", table);
-    return "\nper family, the worst of its cases; 't err': of the budget derived for it:\n" +
-           table.text();
+    return fmt::format(
+        "\nper family, the worst of its cases; 't err': of the budget derived for it:\n{}"
+        "all: {:.4g} rays, {:.4g} pairs by the engines, {:.4g} decisions by the oracles, "
+        "{:.4g} of them open\n",
+        table.text(), double(count_of(sum.metrics, "rays")),
+        double(count_of(sum.metrics, "pairs")), double(count_of(sum.metrics, "decisions")),
+        double(count_of(sum.metrics, "undecided")));
 }
 
 }  // namespace bench::stability

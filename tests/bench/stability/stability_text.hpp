@@ -12,7 +12,7 @@ namespace bench::stability {
 std::string as_text(const Case& c);
 
 // A row per family: what the oracle decided, the faults of all its cases, and the largest error of
-// t. Empty without cases.
-std::string table_by_family(const std::vector<Case>& cases);
+// t; the last one is `sum`.
+std::string table_by_family(const std::vector<Case>& cases, const Case& sum);
 
 }  // namespace bench::stability

@@ -107,6 +107,7 @@ TEST(Tally, AllowsUndecidedPairsWhereRaysAreAimed) {
     EXPECT_EQ(tally.metrics()["undecided"], 2);
     EXPECT_TRUE(tally.is_good(Kind::kAimed));
     EXPECT_FALSE(tally.is_good(Kind::kRandom));
+    EXPECT_FALSE(tally.is_good(Kind::kLattice));
 }
 
 TEST(Tally, TakesAMissInAClosedMeshForALeak) {

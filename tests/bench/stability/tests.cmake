@@ -3,5 +3,6 @@ set(stability ${CMAKE_CURRENT_LIST_DIR})
 file(GLOB stability_families CONFIGURE_DEPENDS ${stability}/*_families.cpp)
 target_sources(rsh_bench_tests PRIVATE
     ${stability_families} ${stability}/aim.cpp ${stability}/expected.cpp
-    ${stability}/family_test.cpp ${stability}/tally.cpp ${stability}/tally_test.cpp)
+    ${stability}/family_test.cpp ${stability}/sum.cpp ${stability}/sum_test.cpp
+    ${stability}/tally.cpp ${stability}/tally_test.cpp)
 target_link_libraries(rsh_bench_tests PRIVATE rsh_oracle)
