@@ -47,6 +47,10 @@ public:
     void set_converging(bool is_converging) { build_.converging = is_converging; }
     // A triangle per ray, as rsh_traverse_desc::skip.
     void set_skip(const cl::Buffer& skip) { traverse_.skip = skip(); }
+    // Of no more triangles than the one that there was at first.
+    void set_geometry(const rsh_geometry& geometry) {
+        bound_.geometry = traverse_.geometry = geometry;
+    }
     void spoil_answers();  // none of an earlier frame is left
 
     FrameTimes trace(const cl::Buffer& rays);  // BLOCKS

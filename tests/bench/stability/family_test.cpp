@@ -28,9 +28,10 @@ TEST(Families, AreTwentyAtLeastOfDifferentNames) {
 TEST(Families, MakeSquaresOfRaysAndTriangles) {
     for (const Family& family : all_families()) {
         const Scene scene = make(family, 1);
-        EXPECT_EQ(scene.rays.width, 8u) << family.name;
-        EXPECT_EQ(scene.rays.height, 8u) << family.name;
-        EXPECT_EQ(scene.rays.rays.size(), 64u) << family.name;
+        EXPECT_GE(scene.rays.width, 4u) << family.name;
+        EXPECT_LE(scene.rays.width, 8u) << family.name;
+        EXPECT_EQ(scene.rays.height, scene.rays.width) << family.name;
+        EXPECT_EQ(scene.rays.rays.size(), scene.rays.width * scene.rays.height) << family.name;
         EXPECT_GE(scene.mesh.triangle_count(), 8u) << family.name;
     }
 }
@@ -40,7 +41,8 @@ TEST(Families, ComeFromTheirRandomNumbersAlone) {
         return a.mesh.vertices.size() == b.mesh.vertices.size() &&
                std::memcmp(a.mesh.vertices.data(), b.mesh.vertices.data(),
                            a.mesh.vertices.size() * sizeof a.mesh.vertices[0]) == 0 &&
-               std::memcmp(a.rays.rays.data(), b.rays.rays.data(), 64 * sizeof(rsh_ray)) == 0;
+               std::memcmp(a.rays.rays.data(), b.rays.rays.data(),
+                           a.rays.rays.size() * sizeof(rsh_ray)) == 0;
     };
     for (const Family& family : all_families()) {
         EXPECT_TRUE(is_same(make(family, 1), make(family, 1))) << family.name;

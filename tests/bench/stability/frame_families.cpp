@@ -67,13 +67,36 @@ Scene kept_nan(Random& random, Extent e) {
     return soup_after(random, e, mesh, {all, some});
 }
 
+Frame soup_frame(Random& random, uint32_t triangles) {
+    return test::random_soup(random, triangles).vertices;
+}
+
+// More triangles in every frame, from none and one on.
+Scene kept_growing(Random& random, Extent e) {
+    const Mesh mesh = test::random_soup(random, e.triangles);
+    const auto first = [&](uint32_t triangles) {
+        return Frame(mesh.vertices.begin(), mesh.vertices.begin() + 3 * triangles);
+    };
+    return soup_after(random, e, mesh, {{}, first(1), first(17), first(e.triangles / 2)});
+}
+
+// Fewer: what is behind the last triangle was one in the frame before.
+Scene kept_shrinking(Random& random, Extent e) {
+    Frame more = soup_frame(random, 2 * e.triangles);
+    Frame one_more(more.begin(), more.begin() + 3 * (e.triangles + 1));
+    const Mesh mesh = {Frame(more.begin(), more.begin() + 3 * e.triangles), {}};
+    return soup_after(random, e, mesh, {std::move(more), std::move(one_more)});
+}
+
 }  // namespace
 
 std::vector<Family> frame_families() {
     return {{"kept_moving", Kind::kRandom, kept_moving},
             {"kept_collapsed", Kind::kRandom, kept_collapsed},
             {"kept_swapped", Kind::kRandom, kept_swapped},
-            {"kept_nan", Kind::kRandom, kept_nan}};
+            {"kept_nan", Kind::kRandom, kept_nan},
+            {"kept_growing", Kind::kRandom, kept_growing},
+            {"kept_shrinking", Kind::kRandom, kept_shrinking}};
 }
 
 }  // namespace bench::stability

@@ -1,6 +1,7 @@
 // lattice_families.cpp - scenes of small integers, for which oracle/lattice.hpp knows the only right
 // answer: right-angled triangles along two axes with legs of 1, 2, 4 or 8, directions of 0, 1 and 2.
 #include <algorithm>
+#include <limits>
 
 #include "stability/family.hpp"
 
@@ -121,16 +122,58 @@ Scene coplanar_layers(Random& random, Extent e) {
     return {mesh, rays_at_lattice(random, mesh, e.side, lattice_direction)};
 }
 
-// tmin and tmax at a hit, and the next floats before and behind it.
+// tmin and tmax at a hit, the next floats before and behind it, and the least and largest there are.
 Scene interval_limits(Random& random, Extent e) {
     Scene scene = lattice_edges(random, e);
+    const float largest = std::numeric_limits<float>::max();
+    const float infinite = std::numeric_limits<float>::infinity();
     for (rsh_ray& ray : scene.rays.rays) {
         const float t = float(1 + random.below(8));
         const float at[] = {t, std::nextafter(t, 0.0f), std::nextafter(t, 16.0f)};
+        const float least[] = {-infinite, -largest, -0.0f, 0x1p-126f};
+        const float greatest[] = {infinite, largest, 0.0f, 0x1p-126f};
         float& tmin = ray.origin_tmin.s[3];
         float& tmax = ray.direction_tmax.s[3];
         if (random.chance(0.6f)) tmin = at[random.below(3)];
         if (random.chance(0.6f)) tmax = at[random.below(3)];
+        if (random.chance(0.2f)) tmin = least[random.below(4)];
+        if (random.chance(0.2f)) tmax = greatest[random.below(4)];
+    }
+    return scene;
+}
+
+// 100,000 triangles at one t for every ray that meets their plane; a few small ones before them
+// leave it open which is the first. Few rays, as each of them has to look at all.
+Scene layers_1e5(Random& random, Extent e) {
+    constexpr uint32_t kLayers = 100000;
+    const auto around = [&] { return -float(kHalf) * float(1 + random.below(2)); };
+    Mesh mesh;
+    while (mesh.triangle_count() < e.triangles / 4) {
+        const test::Corners c = right_triangle(random);
+        if (c[0].z == c[1].z && c[1].z == c[2].z)
+            mesh.add({c[0].x, c[0].y, 0}, {c[1].x, c[1].y, 0}, {c[2].x, c[2].y, 0});
+    }
+    while (mesh.triangle_count() < kLayers + e.triangles / 4) {
+        const Float3 at(around(), around(), 0);
+        mesh.add(at, at + Float3(64, 0, 0), at + Float3(0, 64, 0));
+    }
+    const uint32_t side = std::max(e.side / 8, 4u);
+    test::Rays rays = {{}, side, side};
+    for (uint32_t i = 0; i < side * side; ++i) {
+        Float3 d = lattice_direction(random), to = lattice_point(random);
+        d.z = sign(random) * float(1u << random.below(2));
+        to.z = 0;
+        rays.rays.push_back(test::make_ray(to - float(1 + random.below(8)) * d, d));
+    }
+    return {mesh, rays};
+}
+
+// Rays that begin at corners, on edges and within triangles: t = 0 is a hit.
+Scene lattice_starts(Random& random, Extent e) {
+    Scene scene = lattice_edges(random, e);
+    for (rsh_ray& ray : scene.rays.rays) {
+        const Float3 d = test::direction(ray);
+        ray = test::make_ray(lattice_target(random, scene.mesh), d);
     }
     return scene;
 }
@@ -171,6 +214,8 @@ std::vector<Family> lattice_families() {
             {"axis_parallel", Kind::kLattice, axis_parallel},
             {"duplicates", Kind::kLattice, duplicates},
             {"coplanar_layers", Kind::kLattice, coplanar_layers},
+            {"layers_1e5", Kind::kLattice, layers_1e5},
+            {"lattice_starts", Kind::kLattice, lattice_starts},
             {"interval_limits", Kind::kLattice, interval_limits},
             {"lattice_room", Kind::kLattice, lattice_room}};
 }

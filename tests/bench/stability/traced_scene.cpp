@@ -14,6 +14,13 @@ cl::Buffer upload(const Device& device, const std::vector<T>& items) {
     return buffer;
 }
 
+const std::vector<test::Float3>& largest(const Scene& scene) {
+    const auto* largest = &scene.mesh.vertices;
+    for (const auto& frame : scene.earlier)
+        if (frame.size() > largest->size()) largest = &frame;
+    return *largest;
+}
+
 }  // namespace
 
 TracedScene::TracedScene(const Device& device, const Scene& scene)
@@ -21,32 +28,42 @@ TracedScene::TracedScene(const Device& device, const Scene& scene)
       size_{scene.rays.width, scene.rays.height},
       is_converging_(scene.is_converging),
       frames_(scene.earlier),
-      vertices_(upload(device, scene.mesh.vertices)),
+      vertices_(upload(device, largest(scene))),
       indices_(upload(device, scene.mesh.indices)),
       rays_(upload(device, scene.rays.rays)),
       skip_(upload(device, scene.rays.skip)) {
     frames_.push_back(scene.mesh.vertices);
-    geometry_.vertices = vertices_();
-    geometry_.vertex_count = static_cast<cl_uint>(scene.mesh.vertices.size());
-    geometry_.indices = indices_();
-    geometry_.triangle_count = scene.mesh.triangle_count();
+    largest_ = geometry_of(largest(scene).size());
+    if (indices_()) largest_.triangle_count = scene.mesh.triangle_count();
 }
 
-void TracedScene::move(const std::vector<test::Float3>& vertices) const {
-    device_.queue().enqueueWriteBuffer(vertices_, CL_TRUE, 0,
-                                       vertices.size() * sizeof vertices[0], vertices.data());
+rsh_geometry TracedScene::geometry_of(size_t vertex_count) const {
+    rsh_geometry geometry{};
+    geometry.vertices = vertices_();
+    geometry.vertex_count = static_cast<cl_uint>(vertex_count);
+    geometry.indices = indices_();
+    geometry.triangle_count =
+        indices_() ? largest_.triangle_count : static_cast<cl_uint>(vertex_count / 3);
+    return geometry;
+}
+
+void TracedScene::show(const std::vector<test::Float3>& vertices, RshTracer& tracer) const {
+    if (!vertices.empty())
+        device_.queue().enqueueWriteBuffer(
+            vertices_, CL_TRUE, 0, vertices.size() * sizeof vertices[0], vertices.data());
+    tracer.set_geometry(geometry_of(vertices.size()));
 }
 
 RshTracer TracedScene::traced(const Column& column, bool is_list, bool is_any) const {
     const Size size = is_list ? Size{static_cast<cl_uint>(size_.pixels()), 1} : size_;
     Column kept = column;
     kept.is_refit = frames_.size() > 1;
-    RshTracer tracer(device_, geometry_, size, is_any, kept);
+    RshTracer tracer(device_, largest_, size, is_any, kept);
     tracer.allocate();
     tracer.set_converging(is_converging_);
     tracer.set_skip(skip_);
     for (const auto& frame : frames_) {
-        if (kept.is_refit) move(frame);
+        if (kept.is_refit) show(frame, tracer);
         tracer.spoil_answers();
         tracer.trace(rays_);
     }

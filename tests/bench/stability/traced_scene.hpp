@@ -15,7 +15,8 @@ public:
     std::vector<cl_uint> any(const Column& column, bool is_list) const;
 
 private:
-    void move(const std::vector<test::Float3>& vertices) const;
+    rsh_geometry geometry_of(size_t vertex_count) const;
+    void show(const std::vector<test::Float3>& vertices, RshTracer& tracer) const;
     RshTracer traced(const Column& column, bool is_list, bool is_any) const;
 
     const Device& device_;
@@ -23,7 +24,7 @@ private:
     bool is_converging_;
     std::vector<std::vector<test::Float3>> frames_;  // this one is the last
     cl::Buffer vertices_, indices_, rays_, skip_;
-    rsh_geometry geometry_{};
+    rsh_geometry largest_{};  // of all frames
 };
 
 // All engines with each bound that they take; brute force, which takes none, first.
