@@ -56,8 +56,10 @@ static void take_barycentric_point(const surface_hit* surface, rsh_hit hit, depa
  * What is left errs by 2^-42 of the size of its terms (mesh/twofold.h): a component of the
  * normal by 2^-39, as edges are below 2; the normal by 2^-38; its product with the way from v0,
  * sqrt(3) L at most, by 2^-37 L; the distance by 2^-36 L / |normal| with all else. And what is
- * taken off errs by the share that `along` does, 4u of its terms. Slivers and rays along the
- * plane, of which all that says little, keep the barycentric point. */
+ * taken off errs by the share that `along` does, 4u of its terms and 5u for the quotient, and by
+ * 3u for two products and a sum: 12u of the terms. The low parts are floats, too: of a sum below u of
+ * the point's coordinates and of the path's each, they are rounded three times, 4u^2 = 2^-46.
+ * Slivers and rays along the plane, of which all that says little, keep the barycentric point. */
 static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departure* from)
 {
     const float3 d = from->direction;
@@ -72,9 +74,10 @@ static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departu
     const twofold3 point = exact_sum3(near.high, near_rest - distance * along * d);
     from->point = point.high;
     from->rest = point.low;
-    const float share = 0x1p-22f * dot3(fabs(normal), fabs(d)) * fabs(along);
+    const float share = 0x1p-20f * dot3(fabs(normal), fabs(d)) * fabs(along);
     from->error = (0x1p-36f * surface->edges.extent + share * fabs(distance)) /
-                  sqrt(dot3(normal, normal));
+                      sqrt(dot3(normal, normal)) +
+                  0x1p-46f * (largest3(fabs(near.high)) + largest3(fabs(path.high)));
     return from->error <= 0x1p-21f * surface->edges.extent;
 }
 
