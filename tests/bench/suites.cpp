@@ -1,4 +1,5 @@
 // suites.cpp - the list of suites. One row each.
+#include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
 #include "programs/programs_suite.hpp"
 #include "reduce/reduce_suite.hpp"
@@ -8,11 +9,12 @@
 namespace bench {
 
 const std::vector<Suite*>& suites() {
+    static BudgetsSuite budgets;
     static FrameSuite frame;
     static ProgramsSuite programs;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&frame, &programs, &reduce, &stability};
+    static const std::vector<Suite*> all = {&budgets, &frame, &programs, &reduce, &stability};
     return all;
 }
 
