@@ -4,7 +4,7 @@
  * weights l_i >= 0 of sum 1, the ray passes the point Y = sum l_i p_i at a distance of at most
  * sum l_i e_i, and its depth there is as much off. Per component (u = 2^-24, w_i = p_i - eye,
  * |.| its largest component):
- *    16u |w_i|   mesh/intersect.h, sideways and along the ray
+ *    31u |w_i|   mesh/intersect.h, sideways and along the ray
  *     6u |w_i|   the coordinates below, as rounded: subtraction, products, sums, row entries
  *     7u |w_i|   crossing(), which weighs both ends with relative errors
  * so e_i = 2^-18 |w_i| has room to spare, and 2^-120 covers what a device flushes to zero.

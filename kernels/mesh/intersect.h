@@ -20,16 +20,23 @@
  * size, so that a ray that hits sees corners no farther away than 2^22; products that overflow
  * belong to rays far outside, and end in NaN, a miss. A product that underflows errs by 2^-126
  * (flushed or denormal; monotonically, so signs are never reversed, but 0 may come of it): with
- * at least 2^-102 of area, a weight errs by 2^-24 of it. Thinner triangles, less than 2^-62 of
- * their size squared, are seen edge-on.
+ * at least 2^-102 of area, a weight errs by 3 * 2^-24, three such errors of an edge value, where a
+ * device flushes. Thinner triangles, less than 2^-62 of their size squared, are seen edge-on.
  *
- * What the rounding of the sheared coordinates does (u = 2^-24, |.| the largest component of
- * vertex - origin): subtracting the origin u, slope 6u (1 when division is exact), product u,
- * difference 2u, the weights' own u: each coordinate is off by at most 11u |.|, on two axes
- * sqrt(2) 11u. So a reported hit is an exact hit of a triangle whose corners moved by no more
- * than that, sideways; and since the edge values weigh the corners' depths with relative errors
- * of a few u and equal signs, t is off by no more than 2^-20 |.| in depth, sqrt(3) 16u along
- * the ray: together at most 45u |.|. rays/cone_sphere.h keeps every pair within that distance.
+ * What rounding does (u = 2^-24, |.| the largest component of vertex - origin, quotients 2.5 ulp =
+ * 5u off; docs/numerics.md in full):
+ *   across  a coordinate dx - slope * dz: dx u, dz u, slope 5u, product u, difference 2u as it is
+ *           below 2 |.|: at most 10u |.|, below 11u with the products of errors; on two axes
+ *           sqrt(2) 11u. So a reported hit is an exact hit of a triangle whose corners moved by
+ *           no more than that, sideways.
+ *   depth   a mean of the corners' depths, whose weights are edge values of one sign. These err by
+ *           2u of themselves (Jeannerod, Louvet, Muller, Math. Comp. 82, 2013), which moves a mean
+ *           by 2u |.| at most; then their sum 2u, its reciprocal 5u, a weight u, a corner's depth u,
+ *           its product u, two sums 2u; for t the direction's reciprocal 5u, the product u:
+ *           at most 20u |.|.
+ * Together a hit is within 31u |.| of a point of the triangle on each axis, and within
+ * sqrt(20^2 + 2 * 30^2) u, 47u |.|, in space: what boxes, cones and spheres have room for. Where
+ * division is correctly rounded it is 6u, 12u, 18u and 29u.
  */
 #ifndef RSH_MESH_INTERSECT_H
 #define RSH_MESH_INTERSECT_H

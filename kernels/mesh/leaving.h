@@ -61,7 +61,9 @@ static int side_of(const twofold3* normal, float3 origin, float3 corner)
 
 /* False: a corner of the triangle is ahead of the ray in the plane's direction, sure of it in
  * floats. With edges a, b, scaled so that nothing underflows, a component of the normal errs by
- * 8u |a| |b|, a distance from the plane by 2^-19 |a| |b| |corner - origin|. */
+ * 3u of its two products and u of itself, that is 8u |a| |b|; a distance from the plane, whose three
+ * components of the normal sum up to 4 |a| |b| at most, by 22u for these, 4u each for the corner and
+ * the products, 8u for two sums: 38u |a| |b| |corner - origin|, of 64u. */
 static bool may_separate(triangle_points plane, rsh_ray ray, triangle_points triangle)
 {
     const float3 origin = ray.origin_tmin.xyz, direction = ray.direction_tmax.xyz;

@@ -12,12 +12,13 @@
  * parent is as tight as if it were fitted to all its rays.
  *
  * Rounding (u = 2^-24). What mesh/intersect.h reports as a hit at t lies, with the exact ray,
- * within 45u (|p| + |o|) of the triangle, where |.| is the largest component of its corners and
- * of the ray's origin. The boxes of triangles are padded by 64u |p|, with the largest |p| of
- * their leaf, those of origins by 64u |o|; the difference pays for rounding the padded values.
- * L and H then err by u of themselves, which their sign survives; reciprocals by 2.5 ulp,
- * products by u: quotients by less than 6u. The far bounds are raised by 2^-19 = 32u, near ones
- * left as they are. Overflow: L is infinite only if every corner is infinitely far from every
+ * within 31u (|p| + |o|) of a point of the triangle on each axis, where |.| is the largest component
+ * of its corners and of the ray's origin. The boxes of triangles are padded by 64u |p|, with the
+ * largest |p| of their leaf, those of origins by 64u |o|. What remains, 33u (|p| + |o|), pays for
+ * rounding the padded values, u each, and for the bounds: L and H err by u of themselves, which
+ * their sign survives; reciprocals by 2.5 ulp = 5u, products by u: 7u of what is no more than
+ * |p| + |o|. So bounds hold as they are; the far ones, and tmax, are raised by 2^-19 = 32u all the
+ * same, at no cost. Overflow: L is infinite only if every corner is infinitely far from every
  * origin, which mesh/intersect.h takes for a miss. A reciprocal that overflows is lowered to
  * the largest float where it bounds from below. A product 0 * infinity says nothing:
  * comparisons drop NaN.

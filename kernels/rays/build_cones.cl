@@ -41,7 +41,7 @@ static cone_node ray_cone(rsh_ray ray)
 /* The same ray seen from its point at t = 1, backwards: rays that run towards one point make
  * the thinnest cones there. Every point with t <= 1 lies that way; for other rays the cone is
  * everything. The radius makes up for the sum, which rounds by u per component, and for the
- * hits of mesh/intersect.h: those are off by 45u of their distance to the origin, which is the
+ * hits of mesh/intersect.h: those are off by 47u of their distance to the origin, which is the
  * direction's length more than the distance to the apex that rays/cone_sphere.h allows for. */
 static cone_node reversed_cone(rsh_ray ray)
 {

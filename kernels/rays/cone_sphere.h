@@ -15,13 +15,13 @@
  *
  * Rounding (u = 2^-24): z 3u|w|, q 4u|w|, the axis' length 16u, cos a from 1 - sin^2 10u down
  * to cos a = 0.05, products and squares 4u|w|: 37u|w| at most. A hit that mesh/intersect.h
- * reports can lie 45u|v| off, with |v| <= |w| + S. Together 82u; the padding 2^-17 (|w|_1 + S)
+ * reports can lie 47u|v| off, with |v| <= |w| + S. Together 84u; the padding 2^-17 (|w|_1 + S)
  * is 128u.
  *
  * Underflow: squares of what is below 1e-19 lose their bits, below 1e-23 all of them. So w and
  * S are first scaled by the power of two, hence exactly, that brings the largest of them to 1
  * .. 2. Where a hit is possible, the rest of the padding then leaves
- *    z sin a + S - q cos a >= 46u, and so  (z sin a + S)^2 - (q cos a)^2 >= (46u)^2 > 2^-37,
+ *    z sin a + S - q cos a >= 44u, and so  (z sin a + S)^2 - (q cos a)^2 >= (44u)^2 > 2^-38,
  * the same of S and |w|, while a product loses at most 2^-126, whether a device flushes it to
  * zero or not. The differences themselves are not scaled yet: 2^-124 in each sphere's radius
  * (bvh/spheres.cl) makes up for the 2^-126 that each of them may lose. What is infinite, NaN,

@@ -14,10 +14,8 @@
  *
  * A ray whose triangle is not told by number must be kept off it by distance. Seen from a point
  * above the triangle, corners lie within M <= L + distance on each axis (L: the triangle's
- * extent, u = 2^-24); the test of mesh/intersect.h moves them by 11uM on two axes, by sqrt(2)
- * 11uM along the normal at most, and with them every point between them. The depth errs by
- * 2^-20 M, which counts along the ray: sqrt(3) 2^-20 M at most. Together below 2.8 * 2^-20 M:
- * 2^-18 L suffices.
+ * extent, u = 2^-24); what the test of mesh/intersect.h takes for a hit is within 47uM of the
+ * triangle: 2^-18 L, that is 64u L, suffices.
  *
  * What this cannot do: where two triangles meet at an edge, an origin within some ulp of the
  * scene's coordinates of that edge may be on the wrong side of the other one; and what is nearer

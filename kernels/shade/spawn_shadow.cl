@@ -9,8 +9,9 @@
 #include "shade/light.h"
 #include "shade/spawned_ray.h"
 
-/* End of a ray to a light at t = 1: a triangle that the light lies on, at most 16 times as wide
- * as the ray is long, is found at 1 - 2^-16 or later (t errs by 2^-20 of its extent). */
+/* End of a ray to a light at t = 1: a triangle that the light lies on, at most 11 times as wide
+ * as the ray is long and not seen flatly, is found at 1 - 2^-16 or later: t errs by 20u of 12 times
+ * the ray (mesh/intersect.h), 2^-16 is 256u. */
 #define RSH_BEFORE_LIGHT (1.0f - 0x1p-16f)
 
 static bool is_lit(__global const rsh_material* material)
