@@ -96,9 +96,10 @@ static float twofold_dot_error(const float* input, float most) {
     if (!are_twofolds(input, &a, &b)) return -1.0f;
     const wide exact = wide_dot(wide3_of(a.high, a.low), wide3_of(b.high, b.low));
     const twofold found = twofold_dot(a, b);
-    const double3 terms = fabs(convert_double3(a.high) * convert_double3(b.high));
-    return distance_to(exact, found.high, found.low) /
-           (UNIT * UNIT * (terms.x + terms.y + terms.z));
+    const double3 term = fabs(convert_double3(a.high) * convert_double3(b.high));
+    const double terms = term.x + term.y + term.z;
+    if (!(terms > 0.0)) return -1.0f;
+    return distance_to(exact, found.high, found.low) / (UNIT * UNIT * terms);
 }
 
 static float twofold_cross_error(const float* input, float most) {
@@ -107,6 +108,7 @@ static float twofold_cross_error(const float* input, float most) {
     const wide exact = wide_cross(wide3_of(a.high, a.low), wide3_of(b.high, b.low)).x;
     const twofold3 found = twofold_cross(a, b);
     const double terms = fabs((double)a.high.y * b.high.z) + fabs((double)a.high.z * b.high.y);
+    if (!(terms > 0.0)) return -1.0f;
     return distance_to(exact, found.high.x, found.low.x) / (UNIT * UNIT * terms);
 }
 
