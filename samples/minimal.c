@@ -83,7 +83,27 @@ int main(void) {
         "clEnqueueReadBuffer");
     printf("triangle %u at t = %g, u = %g, v = %g\n", hit.primitive, hit.t, hit.u, hit.v);
 
+    /* While a renderer is developed, it may turn on an audit: some rays of each frame are traced
+     * again by brute force, on the device, and answers that differ are counted. `sample` says how
+     * many, `seed` which ones: the number of the frame, for instance. */
+    rsh_audit_desc audit = {.struct_size = sizeof audit};
+    audit.geometry = traverse.geometry;
+    audit.rays = traverse.rays;
+    audit.ray_count = 1;
+    audit.hits = traverse.hits;
+    audit.sample = 1;
+    audit.report = make_buffer(context, sizeof(rsh_audit_report), NULL);
+    require(rsh_audit(rsh, queue, &audit, 0, NULL, NULL), "rsh_audit");
+    rsh_audit_report report;
+    require(clEnqueueReadBuffer(queue, audit.report, CL_TRUE, 0, sizeof report, &report, 0,
+                                NULL, NULL),
+            "clEnqueueReadBuffer");
+    printf("%lu of %lu hits differ: %u missed, %u spurious, %u wrong\n",
+           (unsigned long)report.differences, (unsigned long)report.rays, report.missed,
+           report.spurious, report.wrong);
+
     rsh_release_context(rsh);
+    clReleaseMemObject(audit.report);
     clReleaseMemObject(traverse.hits);
     clReleaseMemObject(traverse.geometry.vertices);
     clReleaseMemObject(build.nodes);
@@ -94,5 +114,6 @@ int main(void) {
     /* The ray meets the plane at (1, 2, 0): t = 5, a quarter along the first edge, half along
      * the second. All of these are exact in binary. */
     const int is_right = hit.primitive == 0 && hit.t == 5 && hit.u == 0.25f && hit.v == 0.5f;
-    return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
+    return is_right && report.rays == 1 && report.differences == 0 ? EXIT_SUCCESS
+                                                                   : EXIT_FAILURE;
 }

@@ -561,7 +561,7 @@ typedef struct rsh_audit_desc {
     cl_mem skip;           /* in: as in the traversal                                         */
 } rsh_audit_desc;
 
-/* Traces rays again by brute force and counts those whose answers differ in any bit.
+/* Traces rays again by brute force and counts those whose answers differ in any bit, by kind.
  *
  * Effect:  the rays are cut into `sample` ranges of equal length; of each, the first active ray
  *          is taken from a random place on, round the range's end. Inactive rays, and ranges
@@ -678,6 +678,7 @@ typedef struct rsh_frame_desc {
     cl_uint audit_rays;   /* `sample` of rsh_audit, for each wave; 0: none is audited         */
     cl_mem audit;         /* out, with audit_rays: one rsh_audit_report, the sum over all waves
                              of rays: those of the camera, secondary and shadow rays          */
+    cl_uint audit_seed;   /* `seed` of rsh_audit: another one per frame audits other rays     */
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,

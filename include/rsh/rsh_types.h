@@ -72,10 +72,13 @@ RSH_ASSERT_SIZE(rsh_hit, 16);
 
 /* What an audit found: see rsh_audit. */
 typedef struct rsh_audit_report {
-    rsh_ulong rays;        /* that were traced again                                  */
+    rsh_ulong rays;        /* that were traced again                                   */
     rsh_ulong differences; /* of these, with an answer that is not that of brute force */
-    rsh_uint first_ray;    /* lowest index of such a ray; RSH_NO_HIT: there is none   */
-    rsh_uint reserved[3];
+    rsh_uint first_ray;    /* lowest index of such a ray; RSH_NO_HIT: there is none    */
+    /* The differences by kind; sums over more than 2^32 of them wrap. */
+    rsh_uint missed;   /* no hit, or a farther one, where brute force hits       */
+    rsh_uint spurious; /* a hit, or a nearer one, where brute force has none     */
+    rsh_uint wrong;    /* another triangle, u or v at the right t; a miss not as in rsh_hit */
 } rsh_audit_report;
 RSH_ASSERT_SIZE(rsh_audit_report, 32);
 

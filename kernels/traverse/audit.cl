@@ -11,6 +11,9 @@
 #define RSH_REPORT_RAYS 0
 #define RSH_REPORT_DIFFERENCES 2
 #define RSH_REPORT_FIRST_RAY 4
+#define RSH_REPORT_MISSED 5
+#define RSH_REPORT_SPURIOUS 6
+#define RSH_REPORT_WRONG 7
 
 /* MurmurHash3's last step (Appleby 2011): every bit of x changes about half of the bits. */
 static uint scramble(uint x)
@@ -40,6 +43,22 @@ static bool differ(rsh_hit a, rsh_hit b)
            as_uint(a.v) != as_uint(b.v) || a.primitive != b.primitive;
 }
 
+/* Word of the report that counts what is wrong with an answer; 0: nothing is. */
+static uint fault_of(rsh_hit answer, rsh_hit expected)
+{
+    const bool is_hit = answer.primitive != RSH_NO_HIT;
+    if (!differ(answer, expected)) return 0;
+    if (expected.primitive == RSH_NO_HIT)
+        return is_hit ? RSH_REPORT_SPURIOUS : RSH_REPORT_WRONG;
+    if (!is_hit || answer.t > expected.t) return RSH_REPORT_MISSED;
+    return answer.t == expected.t ? RSH_REPORT_WRONG : RSH_REPORT_SPURIOUS;
+}
+
+static uint occlusion_fault_of(bool answer, bool expected)
+{
+    return answer == expected ? 0 : expected ? RSH_REPORT_MISSED : RSH_REPORT_SPURIOUS;
+}
+
 /* index: of RSH_RAYS_PER_ITEM rays, the first `count` of which there are. */
 static void audit_rays(const triangles_left* left, const uint* index, uint count,
                        __global const rsh_hit* hits, __global const uint* occlusion,
@@ -50,10 +69,12 @@ static void audit_rays(const triangles_left* left, const uint* index, uint count
     uint differences = 0, first_ray = RSH_NO_HIT;
     for (uint i = 0; i < count; ++i) {
         const uint ray = index[i];
-        const bool is_hit = expected.primitive[i] != RSH_NO_HIT;
-        if (occlusion_bit ? ((occlusion[ray] & occlusion_bit) != 0) == is_hit
-                          : !differ(hits[ray], hit_at(&expected, i, left->rays[ray])))
-            continue;
+        const uint fault = occlusion_bit
+                               ? occlusion_fault_of((occlusion[ray] & occlusion_bit) != 0,
+                                                    expected.primitive[i] != RSH_NO_HIT)
+                               : fault_of(hits[ray], hit_at(&expected, i, left->rays[ray]));
+        if (fault == 0) continue;
+        atomic_inc(report + fault);
         ++differences;
         first_ray = min(first_ray, ray);
     }

@@ -156,6 +156,7 @@ rsh_audit_desc FrameMemory::audit(cl_uint bounce) const {
     pass.rays = at("rays", bounce);
     pass.hits = at("hits", bounce);
     pass.sample = desc_.audit_rays;
+    pass.seed = desc_.audit_seed;
     pass.report = desc_.audit;
     pass.skip = bounce > 0 ? skip() : nullptr;
     return pass;

@@ -69,7 +69,7 @@ void expect_report(const rsh_audit_report& report, size_t rays, size_t differenc
     EXPECT_EQ(report.rays, rays);
     EXPECT_EQ(report.differences, differences);
     EXPECT_EQ(report.first_ray, first_ray);
-    for (const cl_uint word : report.reserved) EXPECT_EQ(word, 0u);
+    EXPECT_EQ(size_t{report.missed} + report.spurious + report.wrong, differences);
 }
 
 TEST_F(Audit, FindsNothingWhereHitsAreRight) {
@@ -108,6 +108,53 @@ TEST_F(Audit, CountsEveryPlantedErrorAndNamesTheFirst) {
         }
         expect_report(audit(wrong), count(), errors, count() - errors);
         expect_report(audit(masks, 5), count(), errors, count() - errors);
+    }
+}
+
+struct Kinds {
+    cl_uint missed, spurious, wrong;
+};
+
+void expect_kinds(const rsh_audit_report& report, const Kinds& kinds) {
+    EXPECT_EQ(report.missed, kinds.missed);
+    EXPECT_EQ(report.spurious, kinds.spurious);
+    EXPECT_EQ(report.wrong, kinds.wrong);
+}
+
+TEST_F(Audit, TellsKindsApart) {
+    const std::vector<rsh_hit> right = hits();
+    const auto is_hit = [](const rsh_hit& hit) { return hit.primitive != RSH_NO_HIT; };
+    const size_t hit = size_t(std::find_if(right.begin(), right.end(), is_hit) - right.begin());
+    const size_t miss =
+        size_t(std::find_if_not(right.begin(), right.end(), is_hit) - right.begin());
+    ASSERT_LT(std::max(hit, miss), count());
+    const auto with = [&](size_t ray, rsh_hit answer) {
+        std::vector<rsh_hit> hits = right;
+        hits[ray] = answer;
+        return audit(hits);
+    };
+    const rsh_hit found = right[hit], none = right[miss];
+    expect_kinds(with(hit, {rays_.rays[hit].direction_tmax.s[3], 0, 0, RSH_NO_HIT}), {1, 0, 0});
+    expect_kinds(with(hit, {2 * found.t, found.u, found.v, found.primitive}), {1, 0, 0});
+    expect_kinds(with(hit, {0.5f * found.t, found.u, found.v, found.primitive}), {0, 1, 0});
+    expect_kinds(with(hit, {NAN, found.u, found.v, found.primitive}), {0, 1, 0});
+    expect_kinds(with(hit, {found.t, found.u, found.v, found.primitive ^ 1}), {0, 0, 1});
+    expect_kinds(with(hit, {found.t, 2 * found.u, found.v, found.primitive}), {0, 0, 1});
+    expect_kinds(with(miss, {1, 0, 0, 0}), {0, 1, 0});
+    expect_kinds(with(miss, {none.t, 1, 0, RSH_NO_HIT}), {0, 0, 1});
+}
+
+TEST_F(Audit, TellsKindsOfOcclusionApart) {
+    std::vector<uint32_t> masks(count(), 0);
+    masks = occlusion(device_mesh_, rays_, masks, 5);
+    for (const uint32_t bit : {1u << 5, 0u}) {
+        std::vector<uint32_t> wrong = masks;
+        const size_t ray = size_t(
+            std::find_if(wrong.begin(), wrong.end(), [&](uint32_t m) { return m == bit; }) -
+            wrong.begin());
+        ASSERT_LT(ray, count());
+        wrong[ray] ^= 1u << 5;
+        expect_kinds(audit(wrong, 5), bit ? Kinds{1, 0, 0} : Kinds{0, 1, 0});
     }
 }
 

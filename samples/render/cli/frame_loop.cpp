@@ -94,12 +94,21 @@ void warm_up(Renderer& renderer, double time, ProgressBar& progress, RunReport& 
     render(renderer, time, progress);
 }
 
+// Of each wave of a frame; 0: none.
+uint32_t audited_rays(const Options& options, const RenderSettings& settings, int frame) {
+    if (frame >= options.checked_frames) return options.audited_rays;
+    return (settings.size.x * settings.size.y - 1) / options.check_ray_step + 1;
+}
+
 // Whether the last frame's hits are those of brute force.
-bool check(Renderer& renderer, uint32_t ray_step, ProgressBar& progress) {
+bool audit(Renderer& renderer, uint32_t rays, int frame, ProgressBar& progress) {
+    const auto seed = static_cast<uint32_t>(frame);
     const rsh_audit_report report = run_or_stop(
-        [&] { return renderer.audit(ray_step, &ProgressBar::begin_wave, &progress); });
+        [&] { return renderer.audit(rays, seed, &ProgressBar::begin_wave, &progress); });
     fmt::print("{} of {} hits differ\n", report.differences, report.rays);
-    if (report.differences > 0) fmt::print("first: ray {} of its wave\n", report.first_ray);
+    if (report.differences > 0)
+        fmt::print("{} missed, {} spurious, {} wrong; first: ray {} of its wave\n",
+                   report.missed, report.spurious, report.wrong, report.first_ray);
     return report.differences == 0;
 }
 
@@ -139,8 +148,8 @@ int run(const Options& options) {
             const std::string path = frame_path(*options.out, i, count);
             write_output(path, encode_image(renderer.frame(), path));
         }
-        if (i < options.checked_frames)
-            is_exact = check(renderer, options.check_ray_step, progress) && is_exact;
+        const uint32_t rays = audited_rays(options, settings, i);
+        if (rays > 0) is_exact = audit(renderer, rays, i, progress) && is_exact;
     }
     write_reports(report, options);
     return is_exact ? 0 : 1;

@@ -96,20 +96,28 @@ void add_report_options(CLI::App& app, Options& o) {
     app.add_option("--json", o.json, "Write the statistics of every frame to this file");
     app.add_flag("--inspect", o.inspects,
                  "Print what each mesh is as a surface (--json: write it), and render nothing");
+    auto* audit =
+        app.add_option("--audit", o.audited_rays,
+                       "Trace N random rays of each wave of every frame by brute "
+                       "force as well and count hits that are missed, spurious, wrong")
+            ->check(CLI::Range(1u, UINT32_MAX));
     app.add_option("--check", o.checked_frames,
                    "Trace the first N frames by brute force as well and count hits that differ")
-        ->check(CLI::Range(1, 1000000));
+        ->check(CLI::Range(1, 1000000))
+        ->excludes(audit);
     app.add_option("--check-rays", o.check_ray_step,
                    "Check only one of every K rays of each wave")
         ->check(CLI::Range(1u, UINT32_MAX));
 }
 
 void require_purpose(const Options& o) {
-    if (o.out || o.json || o.prints_statistics || o.checked_frames > 0 || o.inspects) return;
-    throw CLI::ValidationError(
-        "nothing is asked for",
-        "add --out FILE for a picture, --stats or --json FILE for times, --check N to compare "
-        "with brute force, or --inspect");
+    if (o.out || o.json || o.prints_statistics || o.audited_rays > 0 || o.checked_frames > 0 ||
+        o.inspects)
+        return;
+    throw CLI::ValidationError("nothing is asked for",
+                               "add --out FILE for a picture, --stats or --json FILE for "
+                               "times, --audit N or --check N "
+                               "to compare with brute force, or --inspect");
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ struct Options {
     uint64_t budget = 0;
     uint64_t max_texture_pixels = kMaxTexturePixels;
     rsh_features without = 0;
+    uint32_t audited_rays = 0;  // of each wave of every frame
     int checked_frames = 0;
     uint32_t check_ray_step = 1;
     bool prints_statistics = false;

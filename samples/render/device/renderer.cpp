@@ -98,12 +98,14 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user) {
     return measure;
 }
 
-rsh_audit_report Renderer::audit(uint32_t ray_step, rsh_progress progress, void* user) {
+rsh_audit_report Renderer::audit(uint32_t rays, uint32_t seed, rsh_progress progress,
+                                 void* user) {
     const cl::Buffer found = device_.buffer(sizeof(rsh_audit_report));
     rsh_frame_desc desc = frame_desc();
     desc.progress = progress;
     desc.progress_user = user;
-    desc.audit_rays = (desc.width * desc.height - 1) / ray_step + 1;
+    desc.audit_rays = rays;
+    desc.audit_seed = seed;
     desc.audit = found();
     require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
             "rsh_frame");

@@ -35,8 +35,8 @@ public:
     FrameMeasure render(double time, rsh_progress progress, void* user);
     const Frame& frame() const { return frame_; }  // of the last render
 
-    // Renders the last frame once more and audits one of every `ray_step` rays of each wave.
-    rsh_audit_report audit(uint32_t ray_step, rsh_progress progress, void* user);
+    // Renders the last frame once more and audits so many rays of each wave. seed: which ones.
+    rsh_audit_report audit(uint32_t rays, uint32_t seed, rsh_progress progress, void* user);
 
 private:
     rsh_frame_desc frame_desc() const;

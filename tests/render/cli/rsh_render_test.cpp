@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "temporary_folder.hpp"
 
@@ -78,13 +80,40 @@ TEST_F(RshRender, SaysWhatToAddWhenNothingIsAskedFor) {
 }
 
 TEST_F(RshRender, IsContentWithAnyOneOutput) {
-    for (const std::string& output : {"--out " + path("a.png"), "--json " + path("a.json"),
-                                      std::string("--stats"), std::string("--check 1")}) {
+    for (const std::string& output :
+         {"--out " + path("a.png"), "--json " + path("a.json"), std::string("--stats"),
+          std::string("--check 1"), std::string("--audit 20")}) {
         const Ended ended = run(scene() + output);
         EXPECT_EQ(ended.status, 0) << output << ": " << ended.printed;
     }
     EXPECT_EQ(content(path("a.png")).substr(1, 3), "PNG");
     EXPECT_EQ(content(path("a.json")).substr(0, 1), "{");
+}
+
+// Fewer than all of them.
+TEST_F(RshRender, AuditsSomeRaysOfEveryFrame) {
+    const auto audited = [&](const std::string& options) {
+        const Ended ended = run(scene() + options);
+        EXPECT_EQ(ended.status, 0) << ended.printed;
+        std::vector<int> rays;
+        std::istringstream lines(ended.printed);
+        for (std::string line; std::getline(lines, line);) {
+            int differences = 0, count = 0;
+            if (sscanf(line.c_str(), "%d of %d hits differ", &differences, &count) != 2)
+                continue;
+            EXPECT_EQ(differences, 0);
+            rays.push_back(count);
+        }
+        return rays;
+    };
+    const std::vector<int> all = audited("--frames 3 --check 3"),
+                           some = audited("--frames 3 --audit 20");
+    ASSERT_EQ(all.size(), 3u);
+    ASSERT_EQ(some.size(), 3u);
+    for (size_t frame = 0; frame < 3; ++frame) {
+        EXPECT_GE(some[frame], 20);
+        EXPECT_LT(some[frame], all[frame]);
+    }
 }
 
 // No folder of scenes is searched and no device is opened before: the scene need not be there.
@@ -94,7 +123,7 @@ TEST_F(RshRender, RefusesNumbersThatDoNotFitTheirOption) {
           "--time 1e999", "--frames 1e9", "--frames -1", "--frames 2.5", "--bounces -1",
           "--bounces 1e99", "--budget -1", "--max-texture-pixels -1",
           "--max-texture-pixels 1e99", "--size 1e99x4", "--size -4x4", "--check-rays 0",
-          "--check -1"}) {
+          "--audit 0", "--check -1"}) {
         const Ended ended = run("none.json --stats " + wrong);
         EXPECT_GT(ended.status, 100) << wrong << ": " << ended.printed;
         EXPECT_LT(ended.status, 128) << wrong << ": " << ended.printed;
