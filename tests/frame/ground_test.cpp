@@ -2,7 +2,7 @@
 // stay what they are when the ground grows, turned and seen from anywhere.
 #include <gtest/gtest.h>
 
-#include "shade/bodies.hpp"
+#include "support/bodies.hpp"
 #include "support/render.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 find_package(Threads REQUIRED)
 get_filename_component(tests ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(oracle_files closest exact filter hit judge lattice)
-set(generator_files mesh random rays)
+set(generator_files bodies mesh random rays)
 list(TRANSFORM oracle_files REPLACE "(.+)" "${tests}/oracle/\\1.cpp")
 list(TRANSFORM generator_files REPLACE "(.+)" "${tests}/support/\\1.cpp")
 add_library(rsh_oracle STATIC ${oracle_files} ${generator_files})

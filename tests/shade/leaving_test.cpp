@@ -2,8 +2,8 @@
 // those that go out, and those that go in get out where they should. RSH_TEST_RAYS asks for more.
 #include <gtest/gtest.h>
 
-#include "shade/bodies.hpp"
 #include "shade/leaving.hpp"
+#include "support/bodies.hpp"
 #include "support/changed_kernels.hpp"
 
 namespace {

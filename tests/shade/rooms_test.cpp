@@ -2,8 +2,8 @@
 // nearly touch. RSH_TEST_RAYS asks for more of them.
 #include <gtest/gtest.h>
 
-#include "shade/bodies.hpp"
 #include "shade/leaving.hpp"
+#include "support/bodies.hpp"
 #include "support/compare.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // bodies.cpp - the shapes and rays of bodies.hpp. Knows no device.
-#include "shade/bodies.hpp"
+#include "support/bodies.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -73,7 +73,23 @@ Body wedge(double degrees) {
                      {0, 0, 0.5},
                      {std::cos(half), std::sin(half), 0},
                      {std::cos(half), -std::sin(half), 0}};
-    body.indices = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    body.indices = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+    return body;
+}
+
+Body dart(double degrees) {
+    const double half = degrees * 3.14159265358979323846 / 360;
+    const double x = 0.25 + 0.75 * std::cos(half), y = 0.75 * std::sin(half);
+    const Double3 around[] = {{-1, 0, 0}, {x, -y, 0}, {0.25, 0, 0}, {x, y, 0}};
+    Body body;
+    for (const double z : {-0.5, 0.5})
+        for (const Double3 p : around) body.vertices.push_back({p.x, p.y, z});
+    body.indices = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
+    for (uint32_t i = 0; i < 4; ++i) {
+        const uint32_t next = (i + 1) % 4;
+        for (const uint32_t corner : {i, next, next + 4, i, next + 4, i + 4})
+            body.indices.push_back(corner);
+    }
     return body;
 }
 
@@ -115,10 +131,10 @@ Double3 hard_point(Random& random, const Corners& corners) {
         case 0:
             break;
         case 1:
-            v = any_magnitude(random, 24) * (1 - u);
+            v = any_magnitude(random, 27) * (1 - u);
             break;
         case 2:
-            u = any_magnitude(random, 24), v = any_magnitude(random, 24) * (1 - u);
+            u = any_magnitude(random, 27), v = any_magnitude(random, 27) * (1 - u);
             break;
         default:
             v = 0;

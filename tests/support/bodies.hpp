@@ -1,4 +1,4 @@
-// bodies.hpp - closed convex bodies, turned, scaled and moved in double precision and rounded once
+// bodies.hpp - closed bodies, turned, scaled and moved in double precision and rounded once
 // to the floats that are stored; and rays that hit them where it is hard to leave. Traces nothing.
 #pragma once
 
@@ -26,6 +26,8 @@ Body frustum(double top);
 Body sphere_body(uint32_t segments, uint32_t rings);
 // Two faces as large as the body that meet in an edge at that angle, closed by two steep ones.
 Body wedge(double degrees);
+// Not convex: an arrowhead with a notch of that angle. All of it can be seen from the origin.
+Body dart(double degrees);
 
 // Columns of a rotation about a random axis.
 using Turn = std::array<Double3, 3>;
@@ -46,7 +48,7 @@ inline Double3 centre_of(const Placement& at) {
     return at.scale * at.offset;
 }
 
-// A point of a triangle: anywhere, near an edge or a corner down to 2^-24 of it, or on them.
+// A point of a triangle: anywhere, near an edge or a corner down to 2^-27 of it, or on them.
 Double3 hard_point(Random& random, const Corners& corners);
 
 // A list of rays at such points, from outside or inside, every fourth one grazing.
