@@ -2,6 +2,7 @@
 #include "oracle/hit.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "oracle/exact.hpp"
 #include "support/rays.hpp"
@@ -95,19 +96,22 @@ double component(Double3 v, int axis) {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-int largest_axis(Double3 d) {
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+double sum_of(const double (&x)[3]) {
+    return x[0] + x[1] + x[2];
 }
 
-// t, u, v and their intervals; `volumes` may have any sign.
-void locate(Double3 d, const Double3 (&p)[3], const Volumes& volumes, Candidate* out) {
-    const int axis = largest_axis(d);
-    double z[3], sum = 0, sum_bound = 0, weighted = 0;
+// The volumes say more than the depths of the corners.
+bool is_known(const Volumes& v) {
+    return std::fabs(sum_of(v.w)) > 4 * sum_of(v.bound);
+}
+
+// t and its interval by the depths of the corners along one axis.
+void locate_along(int axis, Double3 d, const Double3 (&p)[3], const Volumes& volumes,
+                  Candidate* out) {
+    const double sum = sum_of(volumes.w);
+    double z[3], weighted = 0;
     for (int i = 0; i < 3; ++i) {
         z[i] = component(p[i], axis) / component(d, axis);
-        sum += volumes.w[i];
-        sum_bound += volumes.bound[i];
         weighted += volumes.w[i] * z[i];
     }
     const double pad =
@@ -115,18 +119,32 @@ void locate(Double3 d, const Double3 (&p)[3], const Volumes& volumes, Candidate*
         0x1p-140;
     const auto [least, greatest] = std::minmax({z[0], z[1], z[2]});
     out->t = sum != 0 ? std::clamp(weighted / sum, least, greatest) : least;
-    out->t_low = least - pad;
-    out->t_high = greatest + pad;
+    double low = least - pad, high = greatest + pad;
+    if (is_known(volumes)) {
+        double error = pad;
+        for (int i = 0; i < 3; ++i)
+            error += 2 * volumes.bound[i] * std::fabs(z[i] - out->t) / std::fabs(sum);
+        low = std::max(low, out->t - error);
+        high = std::min(high, out->t + error);
+    }
+    out->t_low = std::min(out->t_low, low);
+    out->t_high = std::max(out->t_high, high);
+}
+
+// t, u, v and their intervals; `volumes` may have any sign. Of axes along which the direction is
+// equally long, a float routine may take any.
+void locate(Double3 d, const Double3 (&p)[3], const Volumes& volumes, Candidate* out) {
+    out->t_low = std::numeric_limits<double>::infinity();
+    out->t_high = -out->t_low;
+    for (int axis = 2; axis >= 0; --axis)
+        if (std::fabs(component(d, axis)) == max_norm(d))
+            locate_along(axis, d, p, volumes, out);
     out->uv_error = 1;
-    if (std::fabs(sum) <= 4 * sum_bound) return;
+    if (!is_known(volumes)) return;
+    const double sum = sum_of(volumes.w);
     out->u = volumes.w[1] / sum;
     out->v = volumes.w[2] / sum;
-    out->uv_error = 2 * sum_bound / std::fabs(sum) + 16 * kUnit;
-    double error = pad;
-    for (int i = 0; i < 3; ++i)
-        error += 2 * volumes.bound[i] * std::fabs(z[i] - out->t) / std::fabs(sum);
-    out->t_low = std::max(out->t_low, out->t - error);
-    out->t_high = std::min(out->t_high, out->t + error);
+    out->uv_error = 2 * sum_of(volumes.bound) / std::fabs(sum) + 16 * kUnit;
 }
 
 }  // namespace

@@ -52,6 +52,18 @@ TEST(OracleIntersect, SaysCertainInsideAndImpossibleOutside) {
     EXPECT_FALSE(outside.certain || outside.exact || outside.possible);
 }
 
+// Along x all corners are at the depth 0, along z they are not.
+TEST(OracleIntersect, LeavesOpenAlongWhichOfEqualAxesTIsMeasured) {
+    const test::Corners wall = {Float3(0, 0, 0), Float3(0, 4, 0), Float3(0, 0, 4)};
+    const auto hit = oracle::intersect(test::make_ray({0, 1, 1}, {1, 0.5f, 1}), wall);
+    EXPECT_TRUE(hit.possible && hit.exact);
+    EXPECT_EQ(hit.t, 0);
+    EXPECT_GT(hit.t_high, 0x1p-24);
+    EXPECT_LT(hit.t_low, -0x1p-24);
+    const auto deeper = oracle::intersect(test::make_ray({0, 1, 1}, {1, 0.5f, 0.9f}), wall);
+    EXPECT_LT(deeper.t_high, 0x1p-100);
+}
+
 TEST(OracleIntersect, LeavesBothAnswersOpenOnAnEdge) {
     test::Corners corners;
     one_triangle().corners(0, &corners);
