@@ -113,7 +113,7 @@ typedef struct rsh_material {
     rsh_float4 specular;     /* rgb, w: shininess, the Blinn-Phong exponent */
     rsh_float4 reflection;   /* rgb, w: 0 */
     rsh_float4 transmission; /* rgb, w: index of refraction inside, relative to outside;
-                                not positive: 1 */
+                                not positive, infinite or NaN: 1 */
     rsh_float4 emission;     /* rgb, w: 0 */
     rsh_uint texture;        /* of the ambient and diffuse colours, or RSH_NO_TEXTURE */
     rsh_uint reserved[7];    /* 0; for roughness, the priority of nested media, cut-outs and more
