@@ -1,10 +1,12 @@
 #include "stability/expected.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
 #include "oracle/lattice.hpp"
+#include "oracle/leaving/inside.hpp"
 
 namespace bench::stability {
 namespace {
@@ -29,10 +31,22 @@ std::vector<uint32_t> find_twins(const test::Mesh& mesh) {
 }
 
 // What leaks out of a closed mesh, was missed, wherever it went through.
-void forbid_leaks(std::vector<oracle::Answer>& answers) {
-    for (oracle::Answer& answer : answers)
-        answer.certain_by =
-            std::min(answer.certain_by, double(std::numeric_limits<float>::max()));
+void forbid_leak(oracle::Answer& answer) {
+    answer.certain_by = std::min(answer.certain_by, double(std::numeric_limits<float>::max()));
+}
+
+// Unless the way out may lie before tmin, within rounding.
+void forbid_leaks_from_inside(const Scene& scene, Expected& expected) {
+    for (size_t k = 0; k < expected.rays.size(); ++k) {
+        const rsh_ray& ray = scene.rays.rays[expected.rays[k]];
+        oracle::Answer& answer = expected.answers[k];
+        if (!test::is_active(ray) || !std::isinf(ray.direction_tmax.s[3])) continue;
+        test::Corners exit;
+        if (answer.primitive != RSH_NO_HIT && scene.mesh.corners(answer.primitive, &exit) &&
+            oracle::intersect(ray, exit).t_low < ray.origin_tmin.s[3])
+            continue;
+        if (oracle::is_inside(scene.mesh, test::origin(ray))) forbid_leak(answer);
+    }
 }
 
 }  // namespace
@@ -52,7 +66,9 @@ Expected expected_answers(const Scene& scene, Kind kind, size_t most) {
     expected.is_exact = kind == Kind::kLattice;
     expected.answers = expected.is_exact ? oracle::lattice_closest(scene.mesh, rays, skip)
                                          : oracle::closest(scene.mesh, rays, skip);
-    if (kind == Kind::kClosed) forbid_leaks(expected.answers);
+    if (kind == Kind::kClosed)
+        for (oracle::Answer& answer : expected.answers) forbid_leak(answer);
+    if (kind == Kind::kSpawned) forbid_leaks_from_inside(scene, expected);
     for (size_t k = 0; k < rays.size(); ++k) {
         if (test::is_active(rays[k])) expected.decisions += scene.mesh.triangle_count();
         expected.undecided += expected.answers[k].undecided;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "stability/spawned/spawn.hpp"
+
 namespace bench::stability {
 namespace {
 
@@ -18,7 +20,12 @@ std::vector<rsh_hit> brute_force(const TracedScene& scene) {
 Totals run_round(const Device& device, const Family& family, test::Random& random,
                  const std::vector<Variant>& variants, const Amount& amount, uint32_t round,
                  std::vector<Tally>& tallies) {
-    const Scene scene = family.make(random, amount.extent(round));
+    Scene scene = family.make(random, amount.extent(round));
+    SpawnFaults faults;
+    if (scene.spawning) {
+        const Spawned spawned = spawn(device, scene);
+        faults = spawn_faults(scene, spawned, amount.judged_rays);
+    }
     const Expected expected = expected_answers(scene, family.kind, amount.judged_rays);
     const TracedScene on_device(device, scene);
     const std::vector<rsh_hit> reference = brute_force(on_device);
@@ -28,6 +35,7 @@ Totals run_round(const Device& device, const Family& family, test::Random& rando
         const auto& [column, is_list, is_any] = variants[i];
         if (!amount.goes(round, variants[i].way())) continue;
         totals.pairs += pairs;
+        tallies[i].add_spawned(faults);
         if (is_any)
             tallies[i].add_occlusion(scene, expected, reference,
                                      on_device.any(column, is_list));

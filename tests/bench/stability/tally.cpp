@@ -7,6 +7,7 @@
 
 #include "frame/checksum.hpp"
 #include "oracle/lattice.hpp"
+#include "oracle/leaving/separated.hpp"
 
 namespace bench::stability {
 namespace {
@@ -50,6 +51,17 @@ bool has_nan(const rsh_hit& hit) {
     return std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v);
 }
 
+// Of the triangle that the ray has left, or of one that it does not meet for certain.
+bool is_self_hit(const Scene& scene, size_t ray, uint32_t hit) {
+    test::Corners left, corners;
+    if (scene.rays.skip.empty()) return false;
+    const uint32_t skip = scene.rays.skip[ray];
+    if (skip == hit) return true;
+    return skip < scene.mesh.triangle_count() && scene.mesh.corners(skip, &left) &&
+           hit < scene.mesh.triangle_count() && scene.mesh.corners(hit, &corners) &&
+           oracle::is_separated(scene.rays.rays[ray], left, corners);
+}
+
 }  // namespace
 
 uint64_t count_pairs(const Scene& scene) {
@@ -82,6 +94,13 @@ void Tally::add_occlusion(const Scene& scene, const Expected& expected,
     add_hash(checksum(masks));
 }
 
+void Tally::add_spawned(const SpawnFaults& faults) {
+    missed_ += faults.missed;
+    spurious_ += faults.spurious;
+    nan_out_ += faults.nan_out;
+    if (first_fault_.empty()) first_fault_ = faults.first;
+}
+
 void Tally::add_scene(const Scene& scene, const Expected& expected) {
     rays_ += scene.rays.rays.size();
     pairs_ += count_pairs(scene);
@@ -93,7 +112,11 @@ void Tally::check_hit(const Scene& scene, size_t ray, const rsh_hit& hit) {
     const float tmax = scene.rays.rays[ray].direction_tmax.s[3];
     if (hit.primitive != RSH_NO_HIT) {
         nan_out_ += has_nan(hit);
-        self_hits_ += !scene.rays.skip.empty() && scene.rays.skip[ray] == hit.primitive;
+        if (is_self_hit(scene, ray, hit.primitive)) {
+            ++self_hits_;
+            note(ray, fmt::format("hits {} although it leaves from {}", hit.primitive,
+                                  scene.rays.skip[ray]));
+        }
     } else if (!holds_nothing(hit, tmax)) {
         nan_out_ += has_nan(hit) && !std::isnan(tmax);
         add({Fault::kSpurious, fmt::format("hits nothing at t {}, u {}, v {}: must be {}, 0, 0",
@@ -107,8 +130,11 @@ void Tally::add(const Verdict& verdict, size_t ray) {
     spurious_ += verdict.fault == Fault::kSpurious;
     wrong_triangle_ += verdict.fault == Fault::kWrongTriangle;
     t_error_of_budget_ = std::max(t_error_of_budget_, verdict.t_error_of_budget);
-    if (verdict.fault != Fault::kNone && first_fault_.empty())
-        first_fault_ = fmt::format("ray {} {}", ray, verdict.why);
+    if (verdict.fault != Fault::kNone) note(ray, verdict.why);
+}
+
+void Tally::note(size_t ray, const std::string& fault) {
+    if (first_fault_.empty()) first_fault_ = fmt::format("ray {} {}", ray, fault);
 }
 
 // Of several rounds, the hash of their hashes.

@@ -6,6 +6,7 @@
 
 #include "oracle/judge.hpp"
 #include "stability/expected.hpp"
+#include "stability/spawned/spawn_faults.hpp"
 
 namespace bench::stability {
 
@@ -21,6 +22,9 @@ public:
                        const std::vector<rsh_hit>& reference,
                        const std::vector<cl_uint>& masks);
 
+    // Of the rays themselves, the same for all engines.
+    void add_spawned(const SpawnFaults& faults);
+
     nlohmann::json metrics() const;
     // Undecided pairs are a fault on lattices, and beyond 1e-4 where rays are random.
     bool is_good(Kind kind) const;
@@ -29,6 +33,7 @@ private:
     void add_scene(const Scene& scene, const Expected& expected);
     void add(const oracle::Verdict& verdict, size_t ray);
     void check_hit(const Scene& scene, size_t ray, const rsh_hit& hit);
+    void note(size_t ray, const std::string& fault);
     void add_hash(const std::string& hash);
 
     uint64_t rays_ = 0, pairs_ = 0, decisions_ = 0, undecided_ = 0;

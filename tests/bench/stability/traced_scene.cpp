@@ -1,18 +1,10 @@
 #include "stability/traced_scene.hpp"
 
 #include "frame/frame_rows.hpp"
+#include "stability/upload.hpp"
 
 namespace bench::stability {
 namespace {
-
-template <class T>
-cl::Buffer upload(const Device& device, const std::vector<T>& items) {
-    if (items.empty()) return cl::Buffer();
-    const size_t bytes = items.size() * sizeof(T);
-    cl::Buffer buffer(device.context(), CL_MEM_READ_WRITE, bytes);
-    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, items.data());
-    return buffer;
-}
 
 const std::vector<test::Float3>& largest(const Scene& scene) {
     const auto* largest = &scene.mesh.vertices;
