@@ -11,11 +11,13 @@
  * one tells where the two meet in a valley, the second where they meet in a ridge or a plane.
  *
  * Corners count as beyond the plane of the triangle hit only farther than the error of that
- * decision, 2^-42 of their distance (mesh/twofold.h): a ray may start in a triangle that it goes
- * through. Corners in the plane of the triangle left, as far as that error tells, count as beyond
- * it: a ray may start in a corner or an edge that both share, and be stopped by it. What may be
- * lost is a triangle less than 3 * 2^-41 |.| above that plane, which the ray meets at a depth of
- * 3 * 2^-25 |.|, a tenth of what t errs by. Nor does it cost where nothing is near.
+ * decision: a ray may start in a triangle that it goes through. Corners in the plane of the triangle
+ * left, as far as that error tells, count as beyond it: a ray may start in a corner or an edge that
+ * both share, and be stopped by it. The error is 2^-42 of all products (mesh/twofold.h), 40u^2 of
+ * them at most: 6 |a| |b| |.| for edges a, b, so that a triangle may be lost that is less than
+ * 3 * 2^-41 |.| / sine above that plane, with the sine of the angle between a and b. The ray meets it
+ * at a depth of 3 * 2^-25 |.| / sine; unless it left a sliver, a tenth of what t errs by. Nor does it
+ * cost where nothing is near.
  * Spawned rays leave at RSH_GRAZING, 2^-16, or more, so that a point at depth s along the ray is
  * 2^-16 s or more above the plane left, and is mistaken for one of a triangle below that plane
  * only while 2^-16 s <= 15.6u |.|, that is s <= 0.061 |.|. A hit at depth s has the corners of
@@ -42,20 +44,22 @@ typedef struct triangles_left {
 
 /* The side of a plane through the origin that the ray moves to: 1 or -1; 0: it stays in it, as
  * far as rounding tells. */
-static int side_ahead(float3 normal, float3 direction)
+static int side_ahead(const triangle_plane* plane, float3 direction)
 {
+    const float3 normal = plane->normal.high;
     const float along = dot3(normal, direction);
-    const float error = 0x1p-21f * dot3(fabs(normal), fabs(direction));
+    const float error =
+        0x1p-21f * dot3(fabs(normal) + 0x1p-21f * plane->products, fabs(direction));
     return along > error ? 1 : along < -error ? -1 : 0;
 }
 
 /* The side of the plane through the origin that a corner is on: 1, that of the normal; -1; 0: in
  * the plane, as far as rounding tells. */
-static int side_of(const twofold3* normal, float3 origin, float3 corner)
+static int side_of(const triangle_plane* plane, float3 origin, float3 corner)
 {
     const twofold3 to_corner = exact_sum3(corner, -origin);
-    const float height = twofold_dot(*normal, to_corner).high;
-    const float error = 0x1p-42f * dot3(fabs(normal->high), fabs(to_corner.high));
+    const float height = twofold_dot(plane->normal, to_corner).high;
+    const float error = 0x1p-42f * dot3(plane->products, fabs(to_corner.high));
     return height > error ? 1 : height < -error ? -1 : 0;
 }
 
@@ -83,17 +87,16 @@ static bool may_separate(triangle_points plane, rsh_ray ray, triangle_points tri
 
 /* Whether the plane of a triangle, moved to the ray's origin, separates ray and triangle.
  * in_plane: of a triangle whose corners may also be in the plane. */
-static bool separates(triangle_points plane, rsh_ray ray, triangle_points triangle,
-                      bool in_plane)
+static bool separates(triangle_points of, rsh_ray ray, triangle_points triangle, bool in_plane)
 {
-    if (!may_separate(plane, ray, triangle)) return false;
-    const twofold3 normal = plane_normal(plane);
+    if (!may_separate(of, ray, triangle)) return false;
+    const triangle_plane plane = plane_of(of);
     const float3 origin = ray.origin_tmin.xyz;
-    const int ahead = side_ahead(normal.high, ray.direction_tmax.xyz);
+    const int ahead = side_ahead(&plane, ray.direction_tmax.xyz);
     const int farthest = in_plane ? 0 : -1;
-    return ahead != 0 && ahead * side_of(&normal, origin, triangle.v0) <= farthest &&
-           ahead * side_of(&normal, origin, triangle.v1) <= farthest &&
-           ahead * side_of(&normal, origin, triangle.v2) <= farthest;
+    return ahead != 0 && ahead * side_of(&plane, origin, triangle.v0) <= farthest &&
+           ahead * side_of(&plane, origin, triangle.v1) <= farthest &&
+           ahead * side_of(&plane, origin, triangle.v2) <= farthest;
 }
 
 /* Whether the hit of a ray is none. */

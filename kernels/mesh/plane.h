@@ -23,10 +23,19 @@ static scaled_edges edges_of(triangle_points p)
     return edges;
 }
 
-static twofold3 plane_normal(triangle_points p)
+/* The plane of a triangle. Of a sliver, or along an axis, the normal is much smaller than the
+ * products that it is the difference of; by these its error counts. */
+typedef struct triangle_plane {
+    twofold3 normal;
+    float3 products; /* sum of their sizes, per component */
+} triangle_plane;
+
+static triangle_plane plane_of(triangle_points p)
 {
     const scaled_edges edges = edges_of(p);
-    return twofold_cross(edges.edge1, edges.edge2);
+    const float3 a = fabs(edges.edge1.high), b = fabs(edges.edge2.high);
+    return (triangle_plane){twofold_cross(edges.edge1, edges.edge2),
+                            a.yzx * b.zxy + a.zxy * b.yzx};
 }
 
 #endif

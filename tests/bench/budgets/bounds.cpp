@@ -23,6 +23,7 @@ const std::vector<Bound>& all_bounds() {
         {"sphere_radius", "cones", 15, "bvh/spheres.cl", "u", 7.5, 16.5, 64},
         {"cone_sphere", "cones", 18, "rays/cone_sphere.h", "u size", 53, 84, 128},
         {"plane_height", "leaving", 15, "mesh/leaving.h", "u^2 terms", 40, 0, 64},
+        {"plane_side", "leaving", 15, "mesh/leaving.h", "u^2 terms", 40, 0, 64},
         {"may_separate", "leaving", 24, "mesh/leaving.h", "u size", 38, 0, 64},
         {"barycentric_point", "spawn", 15, "shade/departure.h", "u extent", 5.2, 0, 8},
         {"departure_point", "spawn", 15, "shade/departure.h", "its own", 1, 1, 1},

@@ -56,7 +56,7 @@ const std::vector<Change> kOfCones = {
 
 // tmin stands for the threshold: the test does not look at it.
 const std::vector<Change> kOfLeaving = {
-    granted("0x1p-42f * dot3(fabs(normal->high), fabs(to_corner.high))"),
+    granted("0x1p-42f * dot3(plane->products, fabs(to_corner.high))"),
     {"0x1p-18f * largest3(fabs(a))", "ray.origin_tmin.w * largest3(fabs(a))", true},
 };
 

@@ -4,7 +4,7 @@
 /* Triangle, origin, corner. */
 #define SIDED 15
 
-static void plane_height_input(uint* random, float* input) {
+static void plane_side_input(uint* random, float* input) {
     aimed_input(random, input);
     for (uint i = 0; i < 9; ++i) input[i] = input[6 + i];
     const float3 a = vector_in(input), b = vector_in(input + 3), c = vector_in(input + 6);
@@ -15,27 +15,46 @@ static void plane_height_input(uint* random, float* input) {
     if (chance(random, 2)) input[9 + below(random, 6)] += hard_random(random);
 }
 
-/* In units of u^2 of the sum of all terms' sizes: of the normal's and of its product with the corner.
- * As side_of does it. */
-static float plane_height_error(const float* input, float most) {
-    if (!are_moderate(input, SIDED, 30)) return -1.0f;
-    const triangle_points p = triangle_in(input);
+/* The height of a corner above the plane, and in `unit` u^2 of the sum of all terms' sizes: of the
+ * normal's and of its product with the corner. */
+static double exact_height(triangle_points p, twofold3 to_corner, double* unit) {
     const scaled_edges edges = edges_of(p);
-    const twofold3 normal = plane_normal(p);
-    const twofold3 to_corner = exact_sum3(vector_in(input + 12), -vector_in(input + 9));
-    const twofold height = twofold_dot(normal, to_corner);
     const wide3 a = wide3_of(edges.edge1.high, edges.edge1.low);
     const wide3 b = wide3_of(edges.edge2.high, edges.edge2.low);
     const wide3 c = wide3_of(to_corner.high, to_corner.low);
-    const wide exact = wide_dot(wide_cross(a, b), c);
     const double3 i = fabs(rounded3(a)), j = fabs(rounded3(b)), k = fabs(rounded3(c));
-    const double terms = k.x * (i.y * j.z + i.z * j.y) + k.y * (i.z * j.x + i.x * j.z) +
-                         k.z * (i.x * j.y + i.y * j.x);
-    if (!(terms > 0.0)) return -1.0f;
-    const wide found = {-(double)height.high, -(double)height.low};
-    return fabs(wide_sum(exact, found).high) / (UNIT * UNIT * terms);
+    *unit = UNIT * UNIT *
+            (k.x * (i.y * j.z + i.z * j.y) + k.y * (i.z * j.x + i.x * j.z) +
+             k.z * (i.x * j.y + i.y * j.x));
+    return wide_dot(wide_cross(a, b), c).high;
 }
+
+static float plane_height_error(const float* input, float most) {
+    if (!are_moderate(input, SIDED, 30)) return -1.0f;
+    const triangle_points p = triangle_in(input);
+    const twofold3 to_corner = exact_sum3(vector_in(input + 12), -vector_in(input + 9));
+    double unit;
+    const double exact = exact_height(p, to_corner, &unit);
+    if (!(unit > 0.0)) return -1.0f;
+    const twofold found = twofold_dot(plane_of(p).normal, to_corner);
+    return fabs((found.high - exact) + found.low) / unit;
+}
+#define plane_height_input plane_side_input
 DEFINE_SEARCH(plane_height, SIDED)
+
+/* What of its threshold a decision about the side needs: above 64 it is wrong. */
+static float plane_side_error(const float* input, float most) {
+    if (!are_moderate(input, SIDED, 30)) return -1.0f;
+    const triangle_points p = triangle_in(input);
+    const float3 origin = vector_in(input + 9), corner = vector_in(input + 12);
+    double unit;
+    const double height = exact_height(p, exact_sum3(corner, -origin), &unit);
+    if (!(unit > 0.0)) return -1.0f;
+    const triangle_plane plane = plane_of(p);
+    const int side = side_of(&plane, origin, corner);
+    return side ? fmax(64.0 - side * height / unit, 0.0) : 0.0;
+}
+DEFINE_SEARCH(plane_side, SIDED)
 
 /* Triangle of the plane, ray, triangle: that separates ray and triangle. */
 #define SEPARATED 24
