@@ -2,10 +2,9 @@
 #include "oracle/closest.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "oracle/filter.hpp"
+#include "oracle/on_all_cores.hpp"
 
 namespace oracle {
 namespace {
@@ -65,16 +64,9 @@ std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& 
                             const std::vector<uint32_t>& skip) {
     const std::vector<Block> blocks = make_blocks(mesh);
     std::vector<Answer> answers(rays.size());
-    std::atomic<size_t> next{0};
-    const auto work = [&] {
-        for (size_t first; (first = next.fetch_add(kRaysAtOnce)) < rays.size();)
-            answer_rays(blocks, mesh, rays, skip, first, &answers);
-    };
-    std::vector<std::thread> threads;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-        threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads) thread.join();
+    on_all_cores((rays.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](size_t i) {
+        answer_rays(blocks, mesh, rays, skip, i * kRaysAtOnce, &answers);
+    });
     return answers;
 }
 

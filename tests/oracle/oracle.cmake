@@ -3,7 +3,8 @@
 find_package(Threads REQUIRED)
 get_filename_component(tests ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(oracle_files closest exact filter hit judge lattice leaving/inside leaving/separated leaving/snell
-    leaving/spawned_ray)
+    leaving/spawned_ray mirrors/float_state mirrors/growth mirrors/lines mirrors/mirrors mirrors/path
+    mirrors/path_errors mirrors/room mirrors/waves)
 set(generator_files bodies mesh random rays)
 list(TRANSFORM oracle_files REPLACE "(.+)" "${tests}/oracle/\\1.cpp")
 list(TRANSFORM generator_files REPLACE "(.+)" "${tests}/support/\\1.cpp")

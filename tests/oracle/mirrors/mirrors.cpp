@@ -1,5 +1,6 @@
-// mirrors.cpp - products of a few vectors; doubles tell which triangles are worth 113 bits.
-#include "oracle/mirrors.hpp"
+// mirrors.cpp - products of a few vectors; doubles tell which triangles are worth 113
+// bits.
+#include "oracle/mirrors/mirrors.hpp"
 
 namespace oracle {
 namespace {
@@ -36,7 +37,23 @@ double error_of_doubles(const Double3& origin, const Double3& d, const Corners& 
     return 1e-13 * max_norm(d) * size * size;
 }
 
-Quad3 plane_normal(const Corners& p) {
+// Around the corners, with room for rounding.
+Ball ball_around(const Corners& p) {
+    const Double3 centre = (1.0 / 3) * (Double3(p[0]) + Double3(p[1]) + Double3(p[2]));
+    double radius = 0;
+    for (const test::Float3& corner : p)
+        radius = std::fmax(radius, length(Double3(corner) - centre));
+    return {centre, 1.001 * radius + 1e-12 * max_norm(centre)};
+}
+
+// False only where the line through the origin along d passes the ball by.
+bool may_meet(const Ball& ball, const Double3& origin, const Double3& d) {
+    const Double3 across = cross(ball.centre - origin, d);
+    const double reach = ball.radius + 1e-12 * max_norm(origin);
+    return dot(across, across) <= reach * reach * dot(d, d);
+}
+
+Quad3 normal_of(const Corners& p) {
     return cross(Quad3(p[1]) - Quad3(p[0]), Quad3(p[2]) - Quad3(p[0]));
 }
 
@@ -45,21 +62,21 @@ Quad3 mirrored(const Quad3& d, const Quad3& n) {
 }
 
 Quad depth_of_plane(const MirrorRay& ray, const Corners& triangle) {
-    const Quad3 n = plane_normal(triangle);
+    const Quad3 n = normal_of(triangle);
     return dot(n, Quad3(triangle[0]) - ray.origin) / dot(n, ray.direction);
 }
 
 }  // namespace
 
-Mirrors::Mirrors(const test::Scene& scene) {
-    for (uint32_t i = 0; i < scene.mesh.triangle_count(); ++i) {
+Mirrors::Mirrors(const test::Mesh& mesh, const std::vector<test::Float3>& normals) {
+    for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
         Corners corners;
-        if (!scene.mesh.corners(i, &corners)) continue;
+        if (!mesh.corners(i, &corners)) continue;
         triangles_.push_back(corners);
-        if (scene.normals.empty()) continue;
-        const uint32_t* index = &scene.mesh.indices[3 * i];
-        normals_.push_back(
-            {scene.normals[index[0]], scene.normals[index[1]], scene.normals[index[2]]});
+        balls_.push_back(ball_around(corners));
+        if (normals.empty()) continue;
+        const uint32_t* index = &mesh.indices[3 * i];
+        normals_.push_back({normals[index[0]], normals[index[1]], normals[index[2]]});
     }
 }
 
@@ -68,8 +85,8 @@ MirrorHit Mirrors::nearest(const MirrorRay& ray) const {
     MirrorHit hit;
     Quad nearest = 0;
     for (uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (i == ray.skip || !may_meet(balls_[i], origin, direction)) continue;
         const Corners& triangle = triangles_[i];
-        if (i == ray.skip) continue;
         if (!passes(origin, direction, triangle, error_of_doubles(origin, direction, triangle)))
             continue;
         if (!passes(ray.origin, ray.direction, triangle, Quad(0))) continue;
@@ -87,7 +104,7 @@ Quad3 Mirrors::point_in_plane(const MirrorRay& ray, uint32_t triangle) const {
 
 Quad3 Mirrors::normal_at(const MirrorHit& hit) const {
     const Corners& p = triangles_[hit.triangle];
-    const Quad3 plane = plane_normal(p);
+    const Quad3 plane = normal_of(p);
     if (normals_.empty()) return plane;
     const Quad3 from_v0 = hit.point - Quad3(p[0]);
     const Quad square = dot(plane, plane);
@@ -98,11 +115,20 @@ Quad3 Mirrors::normal_at(const MirrorHit& hit) const {
 }
 
 MirrorRay Mirrors::reflected(const MirrorRay& ray, const MirrorHit& hit) const {
-    const Quad3 plane = plane_normal(triangles_[hit.triangle]);
+    const Quad3 plane = plane_normal(hit.triangle);
     Quad3 direction = mirrored(ray.direction, normal_at(hit));
     const bool is_above = dot(ray.direction, plane) < 0;
     if ((dot(direction, plane) > 0) != is_above) direction = mirrored(direction, plane);
     return {hit.point, direction, hit.triangle};
+}
+
+Quad3 Mirrors::plane_normal(uint32_t triangle) const {
+    return normal_of(triangles_[triangle]);
+}
+
+Quad3 Mirrors::normal_towards(const MirrorRay& leaving) const {
+    const Quad3 normal = plane_normal(leaving.skip);
+    return dot(normal, leaving.direction) < 0 ? Quad(-1) * normal : normal;
 }
 
 }  // namespace oracle

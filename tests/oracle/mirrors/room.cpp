@@ -1,10 +1,16 @@
-// mirror_room.cpp - icospheres by halving edges.
-#include "shade/mirror_room.hpp"
+// room.cpp - icospheres by halving edges.
+#include "oracle/mirrors/room.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
-namespace test {
+namespace oracle {
 namespace {
+
+using test::Double3;
+using test::Float3;
+using test::Mesh;
 
 struct Sphere {
     Float3 centre;
@@ -39,8 +45,7 @@ Mesh subdivided(Mesh mesh) {
     return mesh;
 }
 
-}  // namespace
-
+// 20 * 4^level triangles, counter-clockwise from outside, corners on the sphere around 0.
 Mesh icosphere(uint32_t level) {
     const double g = (1 + std::sqrt(5.0)) / 2;  // corners of three golden rectangles
     Mesh mesh;
@@ -56,24 +61,51 @@ Mesh icosphere(uint32_t level) {
     return mesh;
 }
 
-Scene mirror_room(uint32_t level, bool is_smooth) {
-    const Mesh unit = icosphere(level);
-    Scene scene;
-    scene.add(unit, 0, &unit.vertices);
-    for (const Sphere& sphere : kInner)
-        scene.add(scaled(unit, sphere.radius, sphere.centre), 0, &unit.vertices);
-    if (!is_smooth) scene.normals.clear();
-    rsh_material mirror = matte({});
-    mirror.reflection = {{1, 1, 1, 0}};
-    scene.materials = {mirror};
-    return scene;
+void add(const Mesh& sphere, const std::vector<Float3>& normals, MirrorRoom* room) {
+    const uint32_t first = uint32_t(room->mesh.vertices.size());
+    for (const Float3& vertex : sphere.vertices) room->mesh.vertices.push_back(vertex);
+    for (const uint32_t index : sphere.indices) room->mesh.indices.push_back(first + index);
+    for (const Float3& normal : normals) room->normals.push_back(normal);
 }
 
-bool is_in_mirror_room(Float3 point) {
+bool is_between_spheres(Float3 point) {
     bool is_free = length(point) < 0.9f;
     for (const Sphere& sphere : kInner)
         is_free &= length(point - sphere.centre) > 1.1f * sphere.radius;
     return is_free;
 }
 
-}  // namespace test
+}  // namespace
+
+MirrorRoom mirror_room(uint32_t level, bool is_smooth) {
+    const Mesh unit = icosphere(level);
+    const std::vector<Float3> normals = is_smooth ? unit.vertices : std::vector<Float3>();
+    MirrorRoom room;
+    add(unit, normals, &room);
+    for (const Sphere& sphere : kInner)
+        add(scaled(unit, sphere.radius, sphere.centre), normals, &room);
+    return room;
+}
+
+bool faces_the_room(const MirrorRoom& room, uint32_t triangle) {
+    return triangle >= room.mesh.triangle_count() / (1 + std::size(kInner));
+}
+
+rsh_material mirror_material() {
+    rsh_material mirror = {};
+    mirror.reflection = {{1, 1, 1, 0}};
+    mirror.texture = RSH_NO_TEXTURE;
+    return mirror;
+}
+
+std::vector<rsh_ray> rays_in_mirror_room(test::Random& random, uint32_t count) {
+    std::vector<rsh_ray> rays;
+    while (rays.size() < count) {
+        const Float3 origin = random.in_cube();
+        if (is_between_spheres(origin))
+            rays.push_back(test::make_ray(origin, normalize(random.direction())));
+    }
+    return rays;
+}
+
+}  // namespace oracle

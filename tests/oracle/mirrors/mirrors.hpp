@@ -6,7 +6,11 @@
 
 #include <cfloat>
 
-#include "support/scene.hpp"
+#include <vector>
+
+#include <rsh/rsh_types.h>
+
+#include "support/mesh.hpp"
 
 namespace oracle {
 
@@ -28,10 +32,15 @@ struct MirrorHit {
     Quad3 point;
 };
 
+struct Ball {
+    test::Double3 centre;
+    double radius;
+};
+
 class Mirrors {
 public:
-    // Of a scene without degenerate triangles.
-    explicit Mirrors(const test::Scene& scene);
+    // No degenerate triangles; normals at the vertices, or none.
+    Mirrors(const test::Mesh& mesh, const std::vector<test::Float3>& normals);
 
     // The first triangle from the origin on.
     MirrorHit nearest(const MirrorRay& ray) const;
@@ -43,10 +52,17 @@ public:
     // normal sends to the wrong side of the triangle is mirrored in its plane, too.
     MirrorRay reflected(const MirrorRay& ray, const MirrorHit& hit) const;
 
+    // Of the triangle's plane, of any length, to the side from which its corners are
+    // counter-clockwise.
+    Quad3 plane_normal(uint32_t triangle) const;
+    // Of the triangle that a ray leaves, to the ray's side.
+    Quad3 normal_towards(const MirrorRay& leaving) const;
+
 private:
     Quad3 normal_at(const MirrorHit& hit) const;
 
     std::vector<test::Corners> triangles_;
+    std::vector<Ball> balls_;             // around the triangles
     std::vector<test::Corners> normals_;  // of the corners; empty: flat
 };
 
