@@ -1,6 +1,7 @@
 // suites.cpp - the list of suites. One row each.
 #include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
+#include "mirrors/mirrors_suite.hpp"
 #include "programs/programs_suite.hpp"
 #include "reduce/reduce_suite.hpp"
 #include "stability/stability_suite.hpp"
@@ -11,10 +12,12 @@ namespace bench {
 const std::vector<Suite*>& suites() {
     static BudgetsSuite budgets;
     static FrameSuite frame;
+    static MirrorsSuite mirrors;
     static ProgramsSuite programs;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&budgets, &frame, &programs, &reduce, &stability};
+    static const std::vector<Suite*> all = {&budgets, &frame, &mirrors, &programs, &reduce,
+                                            &stability};
     return all;
 }
 
