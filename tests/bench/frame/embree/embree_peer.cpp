@@ -66,11 +66,11 @@ void for_blocks(tbb::task_arena& arena, Size size, cl_uint columns, cl_uint rows
 }
 
 template <int kWidth, class Answers, class Trace>
-void trace_packets(tbb::task_arena& arena, const RayMaker& rays, bool is_coherent,
+void trace_packets(tbb::task_arena& arena, const EmbreeRays& rays, bool is_coherent,
                    Answers& answers, const Trace& trace) {
-    for_blocks(arena, rays.size(), Packet<kWidth>::kColumns, Packet<kWidth>::kRows,
+    for_blocks(arena, rays.size, Packet<kWidth>::kColumns, Packet<kWidth>::kRows,
                [&](cl_uint x, cl_uint y) {
-                   const Lanes<kWidth> lanes(rays.rays(), rays.size(), x, y);
+                   const Lanes<kWidth> lanes(rays.rays, rays.size, x, y);
                    if (!lanes.any) return;
                    RTCIntersectContext context = make_context(is_coherent);
                    trace(context, lanes, answers);
@@ -109,10 +109,10 @@ bool occlude_single(RTCScene scene, const rsh_ray& ray) {
 }
 
 template <class Work>
-void for_rays(tbb::task_arena& arena, const RayMaker& rays, const Work& work) {
-    for_blocks(arena, rays.size(), 1, 1, [&](cl_uint x, cl_uint y) {
-        const size_t i = size_t{y} * rays.size().width + x;
-        const rsh_ray& ray = rays.rays()[i];
+void for_rays(tbb::task_arena& arena, const EmbreeRays& rays, const Work& work) {
+    for_blocks(arena, rays.size, 1, 1, [&](cl_uint x, cl_uint y) {
+        const size_t i = size_t{y} * rays.size.width + x;
+        const rsh_ray& ray = rays.rays[i];
         if (ray.direction_tmax.s[3] >= ray.origin_tmin.s[3]) work(i, ray);
     });
 }
@@ -125,24 +125,23 @@ const char* name_of(EmbreeBuild build) {
 }
 
 // A refitted geometry is the only one of a scene that is itself built anew at low quality.
-EmbreePeer::EmbreePeer(const SceneOnDevice& scene, EmbreeBuild build, unsigned threads)
+EmbreePeer::EmbreePeer(const EmbreeMesh& mesh, EmbreeBuild build, bool is_robust,
+                       unsigned threads)
     : device_(rtcNewDevice(fmt::format("threads={}", threads).c_str())),
       arena_(static_cast<int>(threads)) {
     if (!device_) throw std::runtime_error("rtcNewDevice failed");
     scene_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
+    rtcSetSceneFlags(scene_.get(), is_robust ? RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST
+                                             : RTC_SCENE_FLAG_DYNAMIC);
     rtcSetSceneBuildQuality(scene_.get(), build == EmbreeBuild::kMedium
                                               ? RTC_BUILD_QUALITY_MEDIUM
                                               : RTC_BUILD_QUALITY_LOW);
     geometry_ = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry_, quality_of(build));
-    const render::Mesh& mesh = scene.frame_scene().mesh();
     rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               scene.positions().data(), 0, sizeof(glm::vec3),
-                               mesh.positions.size());
+                               mesh.positions, 0, 3 * sizeof(float), mesh.vertex_count);
     rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.triangles.data(), 0, sizeof(glm::uvec3),
-                               mesh.triangles.size());
+                               mesh.triangles, 0, 3 * sizeof(cl_uint), mesh.triangle_count);
     rtcCommitGeometry(geometry_);
     rtcAttachGeometry(scene_.get(), geometry_);
     rtcReleaseGeometry(geometry_);
@@ -157,9 +156,9 @@ void EmbreePeer::build() {
         throw std::runtime_error("Embree could not build the scene");
 }
 
-void EmbreePeer::trace(const RayMaker& rays, PacketMode mode, std::vector<rsh_hit>& hits) {
+void EmbreePeer::trace(const EmbreeRays& rays, PacketMode mode, std::vector<rsh_hit>& hits) {
     const auto packet = [&](RTCIntersectContext& context, const auto& lanes, auto& answers) {
-        intersect_packet(scene_.get(), context, rays.rays(), lanes, answers);
+        intersect_packet(scene_.get(), context, rays.rays, lanes, answers);
     };
     if (mode.width == 16)
         return trace_packets<16>(arena_, rays, mode.is_coherent, hits, packet);
@@ -169,9 +168,9 @@ void EmbreePeer::trace(const RayMaker& rays, PacketMode mode, std::vector<rsh_hi
     });
 }
 
-void EmbreePeer::occlude(const RayMaker& rays, PacketMode mode, std::vector<cl_uint>& masks) {
+void EmbreePeer::occlude(const EmbreeRays& rays, PacketMode mode, std::vector<cl_uint>& masks) {
     const auto packet = [&](RTCIntersectContext& context, const auto& lanes, auto& answers) {
-        occlude_packet(scene_.get(), context, rays.rays(), lanes, answers);
+        occlude_packet(scene_.get(), context, rays.rays, lanes, answers);
     };
     if (mode.width == 16)
         return trace_packets<16>(arena_, rays, mode.is_coherent, masks, packet);

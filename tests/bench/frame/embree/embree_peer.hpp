@@ -1,8 +1,8 @@
 // embree_peer.hpp - Embree 3 on the same triangles and rays: rebuilt or refitted per frame,
 // then traced in packets of neighbouring rays, in parallel, with as many threads as the OpenCL
 // device has compute units. Written as its users would write it for geometry that moves every
-// frame: vertex and index buffers shared, scene flag dynamic, not robust (the default),
-// denormals flushed.
+// frame: vertex and index buffers shared, scene flag dynamic, denormals flushed. Its default mode
+// is not robust.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -23,18 +23,34 @@ struct PacketMode {
     int width;
     bool is_coherent;
 };
+constexpr PacketMode kPacketModes[] = {
+    {16, true}, {16, false}, {8, true}, {8, false}, {1, false}};
+
+// Packed float and index triples, which the peer reads where they are: they outlive it. Behind the
+// last vertex there is one that Embree may read.
+struct EmbreeMesh {
+    const void* positions;
+    size_t vertex_count;
+    const void* triangles;
+    size_t triangle_count;
+};
+
+// In screen order.
+struct EmbreeRays {
+    const std::vector<rsh_ray>& rays;
+    Size size;
+};
 
 class EmbreePeer {
 public:
-    // `scene` must outlive the peer; its host vertices are what Embree reads.
-    EmbreePeer(const SceneOnDevice& scene, EmbreeBuild build, unsigned threads);
+    EmbreePeer(const EmbreeMesh& mesh, EmbreeBuild build, bool is_robust, unsigned threads);
 
     void build();  // after the vertices moved
 
     // Active rays only; answers of others stay as they are. Hits carry t, u, v and primitive as
     // rsh's do, with Embree's u and v.
-    void trace(const RayMaker& rays, PacketMode mode, std::vector<rsh_hit>& hits);
-    void occlude(const RayMaker& rays, PacketMode mode, std::vector<cl_uint>& masks);
+    void trace(const EmbreeRays& rays, PacketMode mode, std::vector<rsh_hit>& hits);
+    void occlude(const EmbreeRays& rays, PacketMode mode, std::vector<cl_uint>& masks);
 
     rsh_hit trace_one(const rsh_ray& ray) const;
 

@@ -25,6 +25,12 @@ Spread ratio(const std::vector<double>& base, const std::vector<double>& work) {
     return spread(ratios);
 }
 
+EmbreeMesh mesh_of(const SceneOnDevice& scene) {
+    const render::Mesh& mesh = scene.frame_scene().mesh();
+    return {scene.positions().data(), mesh.positions.size(), mesh.triangles.data(),
+            mesh.triangles.size()};
+}
+
 class EmbreeRow final : public FramePeer {
 public:
     EmbreeRow(const Device& device, const SceneOnDevice& scene, const RayMaker& rays,
@@ -39,7 +45,8 @@ public:
         for (const EmbreeBuild build :
              {EmbreeBuild::kLow, EmbreeBuild::kMedium, EmbreeBuild::kRefit})
             embrees_.push_back({build,
-                                std::make_unique<EmbreePeer>(scene, build, threads),
+                                std::make_unique<EmbreePeer>(mesh_of(scene), build,
+                                                             /*is_robust=*/false, threads),
                                 {16, true},
                                 {},
                                 {},
@@ -75,18 +82,16 @@ private:
     double trace(Embree& embree, PacketMode mode) {
         return milliseconds([&] {
             if (is_shadow_)
-                embree.peer->occlude(rays_, mode, masks_);
+                embree.peer->occlude({rays_.rays(), rays_.size()}, mode, masks_);
             else
-                embree.peer->trace(rays_, mode, hits_);
+                embree.peer->trace({rays_.rays(), rays_.size()}, mode, hits_);
         });
     }
 
     // Embree gets what is quickest for these rays: packets or single rays, either flag.
     void choose_mode(Embree& embree) {
         double best = 1e30;
-        for (const PacketMode mode :
-             {PacketMode{16, true}, PacketMode{16, false}, PacketMode{8, true},
-              PacketMode{8, false}, PacketMode{1, false}}) {
+        for (const PacketMode mode : kPacketModes) {
             const double ms = std::min(trace(embree, mode), trace(embree, mode));
             if (ms >= best) continue;
             best = ms;
