@@ -1,6 +1,7 @@
 // suites.cpp - the list of suites. One row each.
 #include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
+#include "hits/hits_suite.hpp"
 #include "mirrors/mirrors_suite.hpp"
 #include "programs/programs_suite.hpp"
 #include "reduce/reduce_suite.hpp"
@@ -12,12 +13,13 @@ namespace bench {
 const std::vector<Suite*>& suites() {
     static BudgetsSuite budgets;
     static FrameSuite frame;
+    static HitsSuite hits;
     static MirrorsSuite mirrors;
     static ProgramsSuite programs;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&budgets, &frame, &mirrors, &programs, &reduce,
-                                            &stability};
+    static const std::vector<Suite*> all = {&budgets,  &frame,  &hits,     &mirrors,
+                                            &programs, &reduce, &stability};
     return all;
 }
 
