@@ -53,8 +53,9 @@ Report make_report(const std::vector<std::string>& paths) {
     std::string text;
     for (const std::string& section :
          {head_section(files.read), tests_section(files.read), programs_section(files.read),
-          reduce_section(files.read), frame_section(files.read), left_out_section(files.read),
-          unread, wrong_section(files.read)})
+          reduce_section(files.read), frame_section(files.read), stability_section(files.read),
+          hits_section(files.read), left_out_section(files.read), unread,
+          wrong_section(files.read)})
         if (!section.empty()) text += (text.empty() ? "" : "\n") + section;
     return {text,
             files.unread.empty() && std::all_of(files.read.begin(), files.read.end(), is_good)};

@@ -138,6 +138,46 @@ TEST_F(Table, ShowsTheStagesOfAFrameAndADashForAnAbsentMetric) {
               (Words{"-", "1.50", "2.25", "4.00", "0.5", "30.2", "0"}));
 }
 
+std::string stability_case(const std::string& engine, int missed) {
+    return R"({"name": "stability/caps/)" + engine + R"(", "ok": )" +
+           (missed ? "false" : "true") + R"(, "params": {"family": "caps", "engine": ")" +
+           engine + R"("}, "metrics": {"decisions": 500, "undecided": 4, "missed": )" +
+           std::to_string(missed) + R"(, "t_error_of_budget": 0.25, "why": "ray 3 misses"}})";
+}
+
+TEST_F(Table, ShowsTheWorstCaseOfAFamily) {
+    const Report report = make_report(
+        {file("a.json", of_suite("stability",
+                                 stability_case("tiles", 0) + "," + stability_case("paper", 7) +
+                                     "," + R"({"name": "stability/half", "ok": true})"))});
+    EXPECT_FALSE(report.is_good);
+    EXPECT_EQ(words_of(report.text, "caps"),
+              (Words{"1", "500", "4", "7", "0", "0", "0", "0", "0", "0.25"}))
+        << report.text;
+    EXPECT_NE(report.text.find("WRONG: stability/caps/paper: ray 3 misses\n"),
+              std::string::npos);
+}
+
+TEST_F(Table, ShowsTimeAndErrorsOfTheContendersOfAScene) {
+    const auto hits_case = [](const std::string& contender, const std::string& metrics) {
+        return R"({"name": "hits/needles/)" + contender + R"(", "ok": true, "params":
+            {"scene": "needles", "group": "thin", "triangles": 20000, "contender": ")" +
+               contender + R"("}, "metrics": {"rays": 900, "judged": 100, "missed": )" +
+               metrics + "}}";
+    };
+    const Report report = make_report(
+        {file("a.json", of_suite("hits", hits_case("tiles/box", R"(0, "ms_total": 4, "leaks": 0,
+                                                   "ratio_embree_robust": 1.5)") +
+                                             "," + hits_case("embree/default", "12")))});
+    EXPECT_TRUE(report.is_good);
+    EXPECT_EQ(words_of(report.text, "needles (thin): "),
+              (Words{"20000", "triangles,", "900", "rays,", "100", "judged"}));
+    EXPECT_EQ(words_of(report.text, "  tiles/box"),
+              (Words{"4.00", "-", "1.50", "0", "-", "-", "-", "0"}));
+    EXPECT_EQ(words_of(report.text, "  embree/default"),
+              (Words{"-", "-", "-", "12", "-", "-", "-", "-"}));
+}
+
 TEST_F(Table, ShowsEachKernelOfAProgram) {
     const Report report =
         make_report({file("a.json", of_suite("programs",

@@ -14,6 +14,10 @@ std::string programs_section(const std::vector<ResultFile>& files);
 std::string reduce_section(const std::vector<ResultFile>& files);
 // Per scene, size and kind of rays: the stages of each engine.
 std::string frame_section(const std::vector<ResultFile>& files);
+// Per family: the worst of its cases.
+std::string stability_section(const std::vector<ResultFile>& files);
+// Per scene: the time of each contender, and its wrong hits.
+std::string hits_section(const std::vector<ResultFile>& files);
 // Per batch of tests: how many passed, and which failed.
 std::string tests_section(const std::vector<ResultFile>& files);
 
