@@ -2,7 +2,8 @@
 # device.sh - tells how rsh does on the OpenCL device of this machine: within five minutes, without a
 # network, and with nothing but Linux, a C++ compiler, CMake and a driver.
 #
-#   tests/device.sh [STEP...]     device prepare programs tests reduce frames table; none named: all
+#   tests/device.sh [STEP...]     device prepare programs tests reduce frames stability table; none named:
+#                                 all
 #
 # build/device-kit, which tests/make_device_kit.sh makes elsewhere, must be beside it. Each step writes
 # what it found under the folder that OUT names (build/device-results) while it runs, and is killed
@@ -17,7 +18,7 @@ out=${OUT:-$tree/build/device-results}
 mkdir -p "$work" "$out" && out=$(cd "$out" && pwd) || exit 2
 cd "$tree" || exit 2
 
-kSteps="device prepare programs tests reduce frames table"
+kSteps="device prepare programs tests reduce frames stability table"
 kSeconds=${RSH_DEVICE_SECONDS:-300}
 kTableSeconds=10
 
@@ -32,6 +33,7 @@ limit_of() {
         tests) echo 70 ;;
         reduce) echo 60 ;;
         frames) echo 60 ;;
+        stability) echo 40 ;;
         table) echo $kTableSeconds ;;
         *) return 1 ;;
     esac
@@ -87,7 +89,7 @@ if [ ! -f "$kit/contents.txt" ]; then
     echo "device.sh: no kit in $kit: make it with tests/make_device_kit.sh, where there is a network" >&2
     exit 2
 fi
-[ $# -gt 0 ] || (cd "$out" && rm -f {device,programs,tests,reduce,cub,frames}.json {log,table}.txt)
+[ $# -gt 0 ] || (cd "$out" && rm -f {device,programs,tests,reduce,cub,frames,stability}.json {log,table}.txt)
 failed=()
 for step in $steps; do
     run_step "$step" || failed+=("$step")

@@ -74,7 +74,7 @@ step_prepare() {
     make_cub_peer
 }
 
-# ---- programs, reduce, frames: suites of rsh-bench ----
+# ---- programs, reduce, frames, stability: suites of rsh-bench ----
 
 # A suite ends on its own before the step's limit, and names what it left out: no case begins within
 # the last tenth and 5 s.
@@ -105,6 +105,11 @@ step_reduce() {
 step_frames() {
     find_programs || return 1
     run_suite frame frames --rows device
+}
+
+step_stability() {
+    find_programs || return 1
+    run_suite stability stability --quick
 }
 
 # ---- tests: those that need the device, the telling ones first ----
@@ -148,7 +153,7 @@ joined() {
 step_table() {
     find_programs || return 1
     local files=() name status=0
-    for name in programs tests reduce cub frames; do
+    for name in programs tests reduce cub frames stability; do
         [ ! -f "$out/$name.json" ] || files+=("$out/$name.json")
     done
     {
