@@ -5,7 +5,8 @@
 #      program that the tests built through clang's front end, and what their kernels take on GPUs,
 #   3. runs the tests again with the host code under the address and undefined-behaviour sanitizers,
 #   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers,
-#   5. makes a kit for other devices and tries it on this one, with a quarter of its time.
+#   5. makes a kit for other devices and tries it on this one, with a quarter of its time,
+#   6. runs the suites of rsh-bench that judge hits and errors, shortened.
 # Without an OpenCL device it fails. Builds in build/release, build/clang and build/asan of the tree;
 # logs are in build/logs. The last line counts the single tests of step 1.
 set -euo pipefail
@@ -129,12 +130,21 @@ run_device_kit() {
     grep '^== ' "$logs/device.log"
 }
 
+# With the rsh-bench of the kit.
+run_suites() {
+    step "suites that judge hits"
+    RSH_CACHE_DIR=$(fresh_cache) ctest --test-dir build/device-kit-build -L suites \
+        --output-on-failure --no-tests=error --output-junit "$PWD/$results/suites.xml" |
+        tee "$logs/suites.log"
+}
+
 tests/install_packages.sh tests
 run_release
 check_house
 run_sanitizers
 run_oclgrind
 run_device_kit
+run_suites
 step "done"
 grep 'tests passed' "$logs/ctest.log"
 tail -n 1 "$logs/results.log"
