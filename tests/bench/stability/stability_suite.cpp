@@ -102,8 +102,8 @@ void run_all(const Run& run, const Device& device, const std::vector<Selected>& 
     }
     if (run.results.cases().empty()) return;
     const Case sum = sum_of(run.results.cases(), totals);
-    fmt::print("{}", table_by_family(run.results.cases(), sum));
     run.results.add(sum);
+    fmt::print("{}{}", table_by_family(run.results.cases()), as_text_of_sum(sum));
 }
 
 }  // namespace

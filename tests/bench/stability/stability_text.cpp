@@ -68,7 +68,7 @@ std::string as_text(const Case& c) {
     return text + (m.contains("why") ? "; first: " + m["why"].get<std::string>() : "") + '\n';
 }
 
-std::string table_by_family(const std::vector<Case>& cases, const Case& sum) {
+std::string table_by_family(const std::vector<Case>& cases) {
     std::vector<std::pair<std::string, Worst>> families;
     for (const Case& c : cases) {
         const auto name = c.params["family"].get<std::string>();
@@ -79,21 +79,17 @@ std::string table_by_family(const std::vector<Case>& cases, const Case& sum) {
     for (const Count& one : kCounts) heads.push_back(one.head);
     heads.push_back("t err");
     TextTable table(heads, 1);
-    Worst all;
-    all.add(sum);
-    all.wrong = 0;
-    for (auto& [name, worst] : families) {
-        worst.add_row(name, table);
-        all.wrong += worst.wrong;
-    }
-    all.add_row("all", table);
+    for (const auto& [name, worst] : families) worst.add_row(name, table);
+    return "\nper family, the worst of its cases; 't err': of the budget derived for it:\n" +
+           table.text();
+}
+
+std::string as_text_of_sum(const Case& sum) {
+    const auto count = [&](const char* key) { return double(count_of(sum.metrics, key)); };
     return fmt::format(
-        "\nper family, the worst of its cases; 't err': of the budget derived for it:\n{}"
         "all: {:.4g} rays, {:.4g} pairs by the engines, {:.4g} decisions by the oracles, "
         "{:.4g} of them open\n",
-        table.text(), double(count_of(sum.metrics, "rays")),
-        double(count_of(sum.metrics, "pairs")), double(count_of(sum.metrics, "decisions")),
-        double(count_of(sum.metrics, "undecided")));
+        count("rays"), count("pairs"), count("decisions"), count("undecided"));
 }
 
 }  // namespace bench::stability

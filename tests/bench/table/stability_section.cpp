@@ -13,8 +13,9 @@ std::string stability_section(const std::vector<ResultFile>& files) {
                 cases.push_back({c["name"].get<std::string>(), c["params"], c["metrics"],
                                  c["ok"].get<bool>()});
     }
+    if (cases.empty()) return "";
     const std::string table = stability::table_by_family(cases);
-    return table.empty() ? "" : "STABILITY: " + table.substr(1);
+    return "STABILITY: " + table.substr(1);
 }
 
 }  // namespace bench
