@@ -72,15 +72,15 @@ private:
         const Float3 origin = test::origin(ray.ray);
         const Corners left = corners_of(ray.skip);
         const rsh_ray& seen = spawned_.seen.rays[i];
-        if (!oracle::intersect(seen, left).exact || !oracle::plane_hit(seen, left).is_sided)
-            return {};
+        const oracle::PlaneHit at = oracle::plane_hit(seen, left);
+        if (!oracle::intersect(seen, left).exact || !at.is_sided) return {};
         if (oracle::side_of_plane(origin, left) >= 0 || oracle::is_inside(scene_.mesh, origin))
             return {};
-        // Two ulp per axis, and what the hit itself may lie beside its triangle.
-        const Float3 eye = test::origin(seen);
-        const float reach = std::max(
-            {max_norm(left[0] - eye), max_norm(left[1] - eye), max_norm(left[2] - eye)});
-        const float room = 0x1p-21f * max_norm(origin) + 0x1p-19f * reach;
+        // Two ulp per axis, what the hit may lie beside its triangle, and along a ray that grazes
+        // it, or on a sliver, what the point may be off the plane.
+        const long double along = at.is_well_shaped ? 0 : 0x1p-21L * at.extent / at.cosine;
+        const auto room =
+            float(0x1p-21L * max_norm(Long3(origin)) + 0x1p-19L * at.reach + along);
         for (uint32_t k = 0; k < scene_.mesh.triangle_count(); ++k)
             if (k != ray.skip && is_near(origin, corners_of(k), room)) return {};
         return {Fault::kMissed, "begins outside of the mesh, and near no edge"};
