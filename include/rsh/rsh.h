@@ -535,7 +535,15 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          touches the triangle where the ray starts.
  * Errors:  t errs by up to 2^-20 of the farthest component of a corner, seen from the origin of the
  *          ray (kernels/mesh/intersect.h): for a ground of 1e7 that a ray meets obliquely, by
- *          as much as 10, and what is nearer to it than that may be seen behind it.
+ *          as much as 10, and what is nearer to it than that may be seen behind it. A ray that
+ *          starts on a triangle, and does not skip it, may find it near t = 0 or not.
+ * Limits:  nothing is hit at t above the largest float, nor by a ray whose direction has no
+ *          component of more than 2^-128. Where the device flushes denormals (rsh_selftest), the
+ *          same may hold of directions without a component of 2^-126, and of those with one above
+ *          2^126. May be missed: triangles with a corner 2^126 or more away from the ray's origin
+ *          in a component; needles whose area, as the ray sees them, is less than 2^-62 of the
+ *          square of their largest edge: they count as seen edge-on. So does a triangle with one
+ *          corner near 1 and another beyond 2^62.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.

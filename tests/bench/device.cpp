@@ -69,6 +69,10 @@ MemoryLimits Device::memory() const {
     return limits;
 }
 
+bool Device::keeps_denormals() const {
+    return (device_.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_DENORM) != 0;
+}
+
 nlohmann::json describe_library() {
     const cl_uint version = rsh_version();
     return {{"version",

@@ -36,6 +36,7 @@ public:
     rsh_context rsh() const { return rsh_.get() ? rsh_.get() : own_->rsh(); }
     nlohmann::json description() const;
     MemoryLimits memory() const;
+    bool keeps_denormals() const;  // says so itself; else they may be flushed to 0
 
 private:
     std::shared_ptr<const rsh::Device> own_;

@@ -38,7 +38,7 @@ Answer summary(const std::vector<Found>& found) {
 // All blocks against a few rays at a time, so that a block is read from memory once for them.
 void answer_rays(const std::vector<Block>& blocks, const test::Mesh& mesh,
                  const std::vector<rsh_ray>& rays, const std::vector<uint32_t>& skip,
-                 size_t first, std::vector<Answer>* answers) {
+                 Denormals denormals, size_t first, std::vector<Answer>* answers) {
     const size_t last = std::min(first + kRaysAtOnce, rays.size());
     std::vector<Found> found[kRaysAtOnce];
     std::vector<uint32_t> passed;
@@ -51,7 +51,7 @@ void answer_rays(const std::vector<Block>& blocks, const test::Mesh& mesh,
                 test::Corners corners;
                 if (!mesh.corners(triangle, &corners)) continue;
                 if (!skip.empty() && skip[i] == triangle) continue;
-                const Candidate candidate = intersect(rays[i], corners);
+                const Candidate candidate = intersect(rays[i], corners, denormals);
                 if (candidate.possible) found[i - first].push_back({triangle, candidate});
             }
         }
@@ -61,11 +61,11 @@ void answer_rays(const std::vector<Block>& blocks, const test::Mesh& mesh,
 }  // namespace
 
 std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& rays,
-                            const std::vector<uint32_t>& skip) {
+                            const std::vector<uint32_t>& skip, Denormals denormals) {
     const std::vector<Block> blocks = make_blocks(mesh);
     std::vector<Answer> answers(rays.size());
     on_all_cores((rays.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](size_t i) {
-        answer_rays(blocks, mesh, rays, skip, i * kRaysAtOnce, &answers);
+        answer_rays(blocks, mesh, rays, skip, denormals, i * kRaysAtOnce, &answers);
     });
     return answers;
 }

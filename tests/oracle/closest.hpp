@@ -26,7 +26,8 @@ struct Answer {
 
 // skip: as test::Rays::skip.
 std::vector<Answer> closest(const test::Mesh& mesh, const std::vector<rsh_ray>& rays,
-                            const std::vector<uint32_t>& skip = {});
+                            const std::vector<uint32_t>& skip = {},
+                            Denormals denormals = Denormals::kMayBeFlushed);
 
 // Share of the rays that are ambiguous.
 double ambiguous_share(const std::vector<Answer>& answers);

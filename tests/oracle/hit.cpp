@@ -17,40 +17,84 @@ using test::Float3;
 constexpr double kUnit = 0x1p-24;
 constexpr double kShearUlps = 16;
 constexpr double kDepthUlps = 32;
-// Products that underflow in float, flushed to zero or not, and sums of a few of them.
-constexpr double kUnderflow = 0x1p-123;
-// The same in the few differences and products of a lateral coordinate.
-constexpr double kFlushed = 0x1p-124;
+constexpr double kLargest = std::numeric_limits<float>::max();
+
+// Within these limits nothing is lost; see rsh_traverse in rsh.h.
+constexpr double kFarthest = 0x1p126;   // corner, from the origin
+constexpr double kThinnest = 0x1p-62;   // area across the ray, of the size squared
+constexpr double kShortest = 0x1p-128;  // direction
+constexpr double kShortestNormal = 0x1p-126;
+constexpr double kLongestNormal = 0x1p126;  // the reciprocal underflows
+constexpr double kRounding = 0x1p-20;       // of these limits
 
 struct Volumes {
     double w[3];      // of the edge opposite to corner i
     double bound[3];  // of a float routine's error
 };
 
-// The larger component of two edges; triangles below 2^-20 are computed with as if they were of
-// unit size.
-double underflow_of(const Double3 (&p)[3]) {
-    const double size = std::max(max_norm(p[1] - p[0]), max_norm(p[2] - p[0]));
-    return size < 0x1p-20 ? kUnderflow * size * size : kUnderflow;
+// A ray, seen from its origin, and the corners of a triangle.
+struct Pair {
+    Double3 d, p[3];
+    double direction;  // largest component
+    double size;       // the same of the edges
+    double flushed;    // what an operation that underflows may err by
+};
+
+Pair pair_of(const rsh_ray& ray, const Corners& c, Denormals denormals) {
+    const Double3 o(test::origin(ray));
+    Pair pair = {Double3(test::direction(ray)),
+                 {Double3(c[0]) - o, Double3(c[1]) - o, Double3(c[2]) - o},
+                 0,
+                 0,
+                 denormals == Denormals::kKept ? 0x1p-150 : 0x1p-126};
+    pair.direction = max_norm(pair.d);
+    for (int i = 0; i < 3; ++i)
+        pair.size = std::max(pair.size, max_norm(pair.p[i] - pair.p[(i + 1) % 3]));
+    return pair;
 }
 
-double volume_bound(Double3 d, Double3 p, Double3 q, double underflow) {
-    const double scale = max_norm(d);
-    const double ep = kShearUlps * kUnit * max_norm(p) + kFlushed;
-    const double eq = kShearUlps * kUnit * max_norm(q) + kFlushed;
-    const double lp = max_norm(cross(d, p)) / scale, lq = max_norm(cross(d, q)) / scale;
-    return scale * (2 * (ep * lq + eq * lp + ep * eq) + 8 * kUnit * lp * lq + underflow);
+// Of the unit that a routine computes a triangle in.
+double computed_unit(double size) {
+    return size >= 0x1p-20 && size <= 0x1p20 ? 1 : std::max(size, 0x1p-127);
 }
 
-Volumes volumes_of(Double3 d, const Double3 (&p)[3]) {
+double volume_bound(const Pair& pair, int i, int j) {
+    const double slope = std::min(2.0, 2 * pair.flushed / pair.direction);
+    const double flushed = pair.flushed * (8 + pair.size);
+    const auto error = [&](Double3 p) {
+        return (kShearUlps * kUnit + slope) * max_norm(p) + flushed;
+    };
+    const auto lateral = [&](Double3 p) { return max_norm(cross(pair.d, p)) / pair.direction; };
+    const double ep = error(pair.p[i]), eq = error(pair.p[j]);
+    const double lp = lateral(pair.p[i]), lq = lateral(pair.p[j]);
+    const double unit = computed_unit(pair.size);
+    return pair.direction * (2 * (ep * lq + eq * lp + ep * eq) + 8 * kUnit * lp * lq +
+                             8 * pair.flushed * unit * unit);
+}
+
+Volumes volumes_of(const Pair& pair) {
     Volumes volumes;
-    const double underflow = underflow_of(p);
     for (int i = 0; i < 3; ++i) {
-        const Double3 b = p[(i + 1) % 3], c = p[(i + 2) % 3];
-        volumes.w[i] = dot(d, cross(b, c));
-        volumes.bound[i] = volume_bound(d, b, c, underflow);
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        volumes.w[i] = dot(pair.d, cross(pair.p[j], pair.p[k]));
+        volumes.bound[i] = volume_bound(pair, j, k);
     }
     return volumes;
+}
+
+bool is_within_limits(const Pair& pair, const Volumes& v, Denormals denormals) {
+    double farthest = 0, area = 0;
+    for (int i = 0; i < 3; ++i) {
+        farthest = std::max(farthest, max_norm(pair.p[i]));
+        area += std::fabs(v.w[i]) - v.bound[i];
+    }
+    const bool is_kept = denormals == Denormals::kKept;
+    const double shortest = is_kept ? kShortest : kShortestNormal;
+    const double longest = is_kept ? kLargest : kLongestNormal;
+    const double unit = std::max(pair.size, computed_unit(pair.size) * 0x1p-20);
+    return farthest <= kFarthest && pair.direction >= shortest * (1 + kRounding) &&
+           pair.direction <= longest * (1 - kRounding * !is_kept) &&
+           area >= 2 * kThinnest * unit * unit * pair.direction;
 }
 
 bool all_of_one_sign(const Volumes& v) {
@@ -106,17 +150,16 @@ bool is_known(const Volumes& v) {
 }
 
 // t and its interval by the depths of the corners along one axis.
-void locate_along(int axis, Double3 d, const Double3 (&p)[3], const Volumes& volumes,
-                  Candidate* out) {
+void locate_along(int axis, const Pair& pair, const Volumes& volumes, Candidate* out) {
     const double sum = sum_of(volumes.w);
     double z[3], weighted = 0;
     for (int i = 0; i < 3; ++i) {
-        z[i] = component(p[i], axis) / component(d, axis);
+        z[i] = component(pair.p[i], axis) / component(pair.d, axis);
         weighted += volumes.w[i] * z[i];
     }
     const double pad =
         kDepthUlps * kUnit * std::max({std::fabs(z[0]), std::fabs(z[1]), std::fabs(z[2])}) +
-        0x1p-140;
+        pair.flushed * (16 / pair.direction + 4);
     const auto [least, greatest] = std::minmax({z[0], z[1], z[2]});
     out->t = sum != 0 ? std::clamp(weighted / sum, least, greatest) : least;
     double low = least - pad, high = greatest + pad;
@@ -133,12 +176,12 @@ void locate_along(int axis, Double3 d, const Double3 (&p)[3], const Volumes& vol
 
 // t, u, v and their intervals; `volumes` may have any sign. Of axes along which the direction is
 // equally long, a float routine may take any.
-void locate(Double3 d, const Double3 (&p)[3], const Volumes& volumes, Candidate* out) {
+void locate(const Pair& pair, const Volumes& volumes, Candidate* out) {
     out->t_low = std::numeric_limits<double>::infinity();
     out->t_high = -out->t_low;
     for (int axis = 2; axis >= 0; --axis)
-        if (std::fabs(component(d, axis)) == max_norm(d))
-            locate_along(axis, d, p, volumes, out);
+        if (std::fabs(component(pair.d, axis)) == max_norm(pair.d))
+            locate_along(axis, pair, volumes, out);
     out->uv_error = 1;
     if (!is_known(volumes)) return;
     const double sum = sum_of(volumes.w);
@@ -149,18 +192,20 @@ void locate(Double3 d, const Double3 (&p)[3], const Volumes& volumes, Candidate*
 
 }  // namespace
 
-Candidate intersect(const rsh_ray& ray, const Corners& c) {
+Candidate intersect(const rsh_ray& ray, const Corners& c, Denormals denormals) {
     Candidate result;
     if (!test::is_active(ray) || !can_be_hit(c)) return result;
-    const Double3 o(test::origin(ray)), d(test::direction(ray));
-    const Double3 p[3] = {Double3(c[0]) - o, Double3(c[1]) - o, Double3(c[2]) - o};
-    const Volumes volumes = volumes_of(d, p);
+    const Pair pair = pair_of(ray, c, denormals);
+    if (pair.direction <= kShortest * (1 - kRounding)) return result;
+    const Volumes volumes = volumes_of(pair);
     if (of_two_signs(volumes)) return result;
 
-    locate(d, p, volumes, &result);
-    const double tmin = std::max(ray.origin_tmin.s[3], 0.0f), tmax = ray.direction_tmax.s[3];
+    locate(pair, volumes, &result);
+    const double tmin = std::max(ray.origin_tmin.s[3], 0.0f);
+    const double tmax = std::min(double(ray.direction_tmax.s[3]), kLargest);
     result.possible = result.t_high >= tmin && result.t_low <= tmax;
-    result.certain = all_of_one_sign(volumes) && result.t_low >= tmin && result.t_high <= tmax;
+    result.certain = all_of_one_sign(volumes) && result.t_low >= tmin &&
+                     result.t_high <= tmax && is_within_limits(pair, volumes, denormals);
     result.exact = result.t >= tmin && result.t <= tmax && exactly_inside(ray, c, volumes);
     return result;
 }

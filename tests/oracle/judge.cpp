@@ -14,7 +14,7 @@ double error_of_budget(const Candidate& c, double t) {
 }  // namespace
 
 Verdict judge_hit(const Answer& answer, const test::Mesh& mesh, const rsh_ray& ray,
-                  const rsh_hit& hit) {
+                  const rsh_hit& hit, Denormals denormals) {
     if (hit.primitive == RSH_NO_HIT) {
         if (std::isinf(answer.certain_by)) return {};
         return {Fault::kMissed, "misses a certain hit"};
@@ -22,7 +22,7 @@ Verdict judge_hit(const Answer& answer, const test::Mesh& mesh, const rsh_ray& r
     test::Corners corners;
     if (hit.primitive >= mesh.triangle_count() || !mesh.corners(hit.primitive, &corners))
         return {Fault::kSpurious, "names no valid triangle"};
-    const Candidate c = intersect(ray, corners);
+    const Candidate c = intersect(ray, corners, denormals);
     if (!c.possible) return {Fault::kSpurious, "cannot hit that triangle"};
     if (!(hit.t >= c.t_low && hit.t <= c.t_high))
         return {Fault::kSpurious, "t is wrong, exactly " + std::to_string(c.t)};

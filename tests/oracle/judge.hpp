@@ -23,7 +23,7 @@ struct Verdict {
 };
 
 Verdict judge_hit(const Answer& answer, const test::Mesh& mesh, const rsh_ray& ray,
-                  const rsh_hit& hit);
+                  const rsh_hit& hit, Denormals denormals = Denormals::kMayBeFlushed);
 
 // is_hit: what the routine says of any hit at all.
 Verdict judge_occlusion(const Answer& answer, bool is_hit);

@@ -24,6 +24,10 @@ Scene fan_90(Random& random, Extent e) {
 Scene fan_185(Random& random, Extent e) {
     return at_soup(random, e, test::fan_rays(e.side, e.side, 185));
 }
+Scene fan_between(Random& random, Extent e) {
+    const float degrees = random.between(90, 185);
+    return at_soup(random, e, test::fan_rays(e.side, e.side, degrees));
+}
 Scene antiparallel(Random& random, Extent e) {
     return at_soup(random, e, test::antiparallel_rays(random, e.side, e.side));
 }
@@ -34,10 +38,14 @@ Scene invalid_rays(Random& random, Extent e) {
     return at_soup(random, e, test::invalid_rays(random, e.side, e.side));
 }
 
-// The light is a corner of a triangle.
+// The light is a corner of a triangle, on an edge or within it.
 Scene converging(Random& random, Extent e) {
     const test::Mesh mesh = test::random_soup(random, e.triangles);
-    const Float3 light = mesh.vertices[random.below(uint32_t(mesh.vertices.size()))];
+    test::Corners c;
+    mesh.corners(random.below(mesh.triangle_count()), &c);
+    const float u = random.chance(0.7f) ? random.unit() : 0.0f;
+    const float v = random.chance(0.5f) ? random.unit() : 0.0f;
+    const Float3 light = c[0] + u * (1 - v) * (c[1] - c[0]) + v * (c[2] - c[0]);
     return {mesh, test::converging_rays(random, e.side, e.side, light), true};
 }
 
@@ -48,6 +56,7 @@ std::vector<Family> bundle_families() {
             {"reflected", Kind::kRandom, reflected},
             {"fan_90", Kind::kRandom, fan_90},
             {"fan_185", Kind::kRandom, fan_185},
+            {"fan_between", Kind::kRandom, fan_between},
             {"antiparallel", Kind::kRandom, antiparallel},
             {"identical_rays", Kind::kRandom, identical_rays},
             {"invalid_rays", Kind::kRandom, invalid_rays},

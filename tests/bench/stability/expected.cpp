@@ -51,8 +51,10 @@ void forbid_leaks_from_inside(const Scene& scene, Expected& expected) {
 
 }  // namespace
 
-Expected expected_answers(const Scene& scene, Kind kind, size_t most) {
+Expected expected_answers(const Scene& scene, Kind kind, size_t most,
+                          oracle::Denormals denormals) {
     Expected expected;
+    expected.denormals = denormals;
     const std::vector<rsh_ray>& all = scene.rays.rays;
     const std::vector<uint32_t>& all_skip = scene.rays.skip;
     const size_t step = std::max<size_t>(all.size() / std::max<size_t>(most, 1), 1);
@@ -65,7 +67,7 @@ Expected expected_answers(const Scene& scene, Kind kind, size_t most) {
     }
     expected.is_exact = kind == Kind::kLattice;
     expected.answers = expected.is_exact ? oracle::lattice_closest(scene.mesh, rays, skip)
-                                         : oracle::closest(scene.mesh, rays, skip);
+                                         : oracle::closest(scene.mesh, rays, skip, denormals);
     if (kind == Kind::kClosed)
         for (oracle::Answer& answer : expected.answers) forbid_leak(answer);
     if (kind == Kind::kSpawned) forbid_leaks_from_inside(scene, expected);

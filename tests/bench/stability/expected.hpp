@@ -9,7 +9,8 @@ namespace bench::stability {
 struct Expected {
     std::vector<size_t> rays;  // ascending
     std::vector<oracle::Answer> answers;
-    bool is_exact;           // no other is right
+    bool is_exact;  // no other is right
+    oracle::Denormals denormals;
     uint64_t decisions = 0;  // active rays, times triangles
     uint64_t undecided = 0;  // of these
     std::vector<uint32_t>
@@ -17,6 +18,7 @@ struct Expected {
 };
 
 // Of `most` rays at least, evenly among all, or of all.
-Expected expected_answers(const Scene& scene, Kind kind, size_t most);
+Expected expected_answers(const Scene& scene, Kind kind, size_t most,
+                          oracle::Denormals denormals = oracle::Denormals::kMayBeFlushed);
 
 }  // namespace bench::stability

@@ -26,7 +26,9 @@ Totals run_round(const Device& device, const Family& family, test::Random& rando
         const Spawned spawned = spawn(device, scene);
         faults = spawn_faults(scene, spawned, amount.judged_rays);
     }
-    const Expected expected = expected_answers(scene, family.kind, amount.judged_rays);
+    const Expected expected = expected_answers(
+        scene, family.kind, amount.judged_rays,
+        device.keeps_denormals() ? oracle::Denormals::kKept : oracle::Denormals::kMayBeFlushed);
     const TracedScene on_device(device, scene);
     const std::vector<rsh_hit> reference = brute_force(on_device);
     const uint64_t pairs = count_pairs(scene);

@@ -101,6 +101,15 @@ Scene leaving(Random& random, Extent e) {
     return {mesh, test::leaving_rays(random, mesh, e.side, e.side)};
 }
 
+// Begun at a triangle that is not skipped: t is 0, give or take its error.
+Scene starting(Random& random, Extent e) {
+    const Mesh mesh = test::random_soup(random, e.triangles);
+    Scene scene = {mesh, rays_at_triangles(random, mesh, e.side)};
+    for (rsh_ray& ray : scene.rays.rays)
+        ray = test::make_ray(test::origin(ray) + test::direction(ray), random.direction());
+    return scene;
+}
+
 }  // namespace
 
 std::vector<Family> shape_families() {
@@ -114,7 +123,8 @@ std::vector<Family> shape_families() {
             {"watertight_inside", Kind::kClosed, watertight_inside},
             {"watertight_outside", Kind::kAimed, watertight_outside},
             {"grazing", Kind::kAimed, grazing},
-            {"leaving", Kind::kAimed, leaving}};
+            {"leaving", Kind::kAimed, leaving},
+            {"starting", Kind::kAimed, starting}};
 }
 
 }  // namespace bench::stability

@@ -39,9 +39,11 @@ Verdict judge_twin(const Scene& scene, const Expected& expected, size_t ray, uin
 
 Verdict judge(const Scene& scene, const Expected& expected, size_t k, const rsh_hit& hit) {
     const size_t ray = expected.rays[k];
-    const auto judge_one = expected.is_exact ? oracle::judge_exact : oracle::judge_hit;
+    const oracle::Answer& answer = expected.answers[k];
+    const rsh_ray& of = scene.rays.rays[ray];
     const Verdict verdict =
-        judge_one(expected.answers[k], scene.mesh, scene.rays.rays[ray], hit);
+        expected.is_exact ? oracle::judge_exact(answer, scene.mesh, of, hit)
+                          : oracle::judge_hit(answer, scene.mesh, of, hit, expected.denormals);
     if (verdict.fault != Fault::kNone) return verdict;
     const Verdict twin = judge_twin(scene, expected, ray, hit.primitive);
     return twin.fault != Fault::kNone ? twin : verdict;
