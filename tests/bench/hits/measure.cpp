@@ -12,6 +12,10 @@
 namespace bench::hits {
 namespace {
 
+stability::Extent extent_of(const SceneKind& kind, const Amount& amount) {
+    return {amount.extent.side * kind.times, amount.extent.triangles};
+}
+
 struct Entry {
     const ContenderKind& kind;
     std::unique_ptr<Contender> contender;
@@ -34,7 +38,7 @@ public:
         : run_(run),
           kind_(kind),
           amount_(amount),
-          scene_(kind.make(run.device, amount.extent)),
+          scene_(kind.make(run.device, extent_of(kind, amount))),
           on_device_(run.device, scene_),
           expected_(stability::expected_answers(
               scene_, kind.is_closed ? stability::Kind::kClosed : stability::Kind::kAimed,
@@ -161,8 +165,8 @@ void SceneRun::hand_in() {
 
 std::string case_name(const SceneKind& scene, const Amount& amount,
                       const ContenderKind& contender) {
-    return fmt::format("hits/scene:{}/size:{}x{}/{}", scene.name, amount.extent.side,
-                       amount.extent.side, contender.name);
+    const uint32_t side = extent_of(scene, amount).side;
+    return fmt::format("hits/scene:{}/size:{}x{}/{}", scene.name, side, side, contender.name);
 }
 
 void measure_scene(const Run& run, const SceneKind& kind,

@@ -12,6 +12,9 @@ using stability::Extent;
 using stability::Scene;
 using test::Float3;
 
+// Rooms are quick to trace, and errors in them are rare.
+constexpr uint32_t kManyRays = 4;
+
 test::Mesh mesh_of(const SceneOnDevice& scene) {
     const auto& triangles = scene.frame_scene().mesh().triangles;
     test::Mesh mesh;
@@ -41,6 +44,7 @@ SceneKind room_kind(int64_t triangles, RayKind kind) {
             true,
             kind != RayKind::kDiffuse,
             triangles == 20000,
+            kind == RayKind::kDiffuse ? 1 : kManyRays,
             [=](const Device& device, Extent extent) {
                 return room(device, triangles, kind, extent);
             }};
@@ -48,7 +52,7 @@ SceneKind room_kind(int64_t triangles, RayKind kind) {
 
 // Metres from the origin; coordinates are rounded to floats there.
 SceneKind far_room_kind(const char* name, float metres) {
-    return {name, "far", true, true, true, [=](const Device& device, Extent extent) {
+    return {name, "far", true, true, true, kManyRays, [=](const Device& device, Extent extent) {
                 const Scene near = room(device, 20000, RayKind::kPrimary, extent);
                 const Float3 offset = metres * Float3(0.6f, 0.0f, 0.8f);
                 return Scene{test::scaled(near.mesh, 1, offset),
@@ -63,7 +67,7 @@ SceneKind family_kind(const char* name, const char* group, bool is_closed = fals
     for (const stability::Family& family : stability::all_families()) {
         ++salt;
         if (std::strcmp(family.name, name) != 0) continue;
-        return {name, group, is_closed, false, true, [=](const Device&, Extent extent) {
+        return {name, group, is_closed, false, true, 1, [=](const Device&, Extent extent) {
                     test::Random random(salt);
                     return family.make(random, extent);
                 }};

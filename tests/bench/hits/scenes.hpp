@@ -17,10 +17,11 @@ struct SceneKind {
     bool is_closed;     // whatever ray begins inside: one that hits nothing has leaked
     bool is_coherent;   // neighbouring rays are alike
     bool is_quick;      // part of --quick
+    uint32_t times;     // as many rays across as asked for
     std::function<stability::Scene(const Device&, stability::Extent)> make;
 };
 
-// `extent.triangles` is for scenes whose name has no number of triangles.
+// `extent.side` is multiplied, `extent.triangles` is for scenes whose name has no number of triangles.
 const std::vector<SceneKind>& scene_kinds();
 
 }  // namespace bench::hits
