@@ -73,9 +73,10 @@ TEST(MirrorPaths, LetTheFirstRoundingGrowAsGrowthSays) {
         const auto errors =
             errors_of(path_with(oracle::rounded, 1, mirrors, start, exact), exact);
         const std::vector<double> growth = growth_along(exact, mirrors, 1);
-        const double first = std::hypot(errors[0].position, errors[0].direction);
+        const double first = length(test::Double3(errors[0].position, errors[0].direction, 0));
         for (size_t k = 0; k < exact.size(); ++k) {
-            const double size = std::hypot(errors[k].position, errors[k].direction);
+            const double size =
+                length(test::Double3(errors[k].position, errors[k].direction, 0));
             if (size > 1e-5) break;
             EXPECT_NEAR(size / (first * growth[k]), 1, 1e-3) << "bounce " << k + 1;
             ++compared;

@@ -21,7 +21,8 @@ Offset difference(const MirrorRay& a, const MirrorRay& b) {
 double size_of(const Offset& offset, const MirrorRay& ray, double unit) {
     const Double3 direction(ray.direction);
     const double turn = length(cross(Double3(offset.direction), direction));
-    return std::hypot(length(Double3(offset.origin)) / unit, turn / dot(direction, direction));
+    return length(
+        Double3(length(Double3(offset.origin)) / unit, turn / dot(direction, direction), 0));
 }
 
 // Along the same triangles, also where the second ray would miss them.
