@@ -14,10 +14,10 @@
  * decision: a ray may start in a triangle that it goes through. Corners in the plane of the triangle
  * left, as far as that error tells, count as beyond it: a ray may start in a corner or an edge that
  * both share, and be stopped by it. The error is 2^-42 of all products (mesh/twofold.h), 40u^2 of
- * them at most: 6 |a| |b| |.| for edges a, b, so that a triangle may be lost that is less than
- * 3 * 2^-41 |.| / sine above that plane, with the sine of the angle between a and b. The ray meets it
- * at a depth of 3 * 2^-25 |.| / sine; unless it left a sliver, a tenth of what t errs by. Nor does it
- * cost where nothing is near.
+ * them at most: 6 |a| |b| |.| for the shortest two edges a, b, so that a triangle may be lost that is
+ * less than 3 * 2^-41 |.| / sine above that plane, with the sine of the angle between a and b. The ray
+ * meets it at a depth of 3 * 2^-25 |.| / sine; unless it left a flat cap, a tenth of what t errs by.
+ * Nor does it cost where nothing is near.
  * Spawned rays leave at RSH_GRAZING, 2^-16, or more, so that a point at depth s along the ray is
  * 2^-16 s or more above the plane left, and is mistaken for one of a triangle below that plane
  * only while 2^-16 s <= 15.6u |.|, that is s <= 0.061 |.|. A hit at depth s has the corners of

@@ -30,9 +30,21 @@ typedef struct triangle_plane {
     float3 products; /* sum of their sizes, per component */
 } triangle_plane;
 
+/* The same triangle, from the corner where its two shortest edges meet: products of these are the
+ * smallest. */
+static triangle_points from_shortest_edges(triangle_points p)
+{
+    const float opposite0 = largest3(fabs(p.v2 - p.v1)),
+                opposite1 = largest3(fabs(p.v0 - p.v2)),
+                opposite2 = largest3(fabs(p.v1 - p.v0));
+    if (opposite0 >= opposite1 && opposite0 >= opposite2) return p;
+    return opposite1 >= opposite2 ? (triangle_points){p.v1, p.v2, p.v0}
+                                  : (triangle_points){p.v2, p.v0, p.v1};
+}
+
 static triangle_plane plane_of(triangle_points p)
 {
-    const scaled_edges edges = edges_of(p);
+    const scaled_edges edges = edges_of(from_shortest_edges(p));
     const float3 a = fabs(edges.edge1.high), b = fabs(edges.edge2.high);
     return (triangle_plane){twofold_cross(edges.edge1, edges.edge2),
                             a.yzx * b.zxy + a.zxy * b.yzx};

@@ -18,7 +18,7 @@ static void plane_side_input(uint* random, float* input) {
 /* The height of a corner above the plane, and in `unit` u^2 of the sum of all terms' sizes: of the
  * normal's and of its product with the corner. */
 static double exact_height(triangle_points p, twofold3 to_corner, double* unit) {
-    const scaled_edges edges = edges_of(p);
+    const scaled_edges edges = edges_of(from_shortest_edges(p));
     const wide3 a = wide3_of(edges.edge1.high, edges.edge1.low);
     const wide3 b = wide3_of(edges.edge2.high, edges.edge2.low);
     const wide3 c = wide3_of(to_corner.high, to_corner.low);
