@@ -116,8 +116,8 @@ void Tally::check_hit(const Scene& scene, size_t ray, const rsh_hit& hit) {
         nan_out_ += has_nan(hit);
         if (is_self_hit(scene, ray, hit.primitive)) {
             ++self_hits_;
-            note(ray, fmt::format("hits {} although it leaves from {}", hit.primitive,
-                                  scene.rays.skip[ray]));
+            note(ray, fmt::format("hits {}, which lies behind it as it leaves {}",
+                                  hit.primitive, scene.rays.skip[ray]));
         }
     } else if (!holds_nothing(hit, tmax)) {
         nan_out_ += has_nan(hit) && !std::isnan(tmax);
