@@ -43,6 +43,7 @@ struct Family {
 // A row in the table of each group's file.
 std::vector<Family> shape_families();   // of triangles
 std::vector<Family> bundle_families();  // of rays
+std::vector<Family> bound_families();   // of what lies beside bounds
 std::vector<Family> magnitude_families();
 std::vector<Family> lattice_families();
 std::vector<Family> frame_families();    // of what moved
@@ -50,8 +51,9 @@ std::vector<Family> spawned_families();  // of rays that rsh_spawn makes
 
 inline std::vector<Family> all_families() {
     std::vector<Family> all;
-    for (const auto& group : {shape_families(), bundle_families(), magnitude_families(),
-                              lattice_families(), frame_families(), spawned_families()})
+    for (const auto& group :
+         {shape_families(), bundle_families(), bound_families(), magnitude_families(),
+          lattice_families(), frame_families(), spawned_families()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
