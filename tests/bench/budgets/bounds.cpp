@@ -25,6 +25,8 @@ const std::vector<Bound>& all_bounds() {
         {"plane_height", "leaving", 15, "mesh/leaving.h", "u^2 terms", 40, 0, 64},
         {"plane_side", "leaving", 15, "mesh/leaving.h", "u^2 terms", 40, 0, 64},
         {"may_separate", "leaving", 24, "mesh/leaving.h", "u size", 38, 0, 64},
+        {"pixel_turn", "camera", 16, "lib/camera/screen.cpp", "u rows", 65, 65, 128},
+        {"projection", "camera", 25, "camera/project.h", "paddings", 1, 1, 1},
         {"barycentric_point", "spawn", 15, "shade/departure.h", "u extent", 5.2, 0, 8},
         {"departure_point", "spawn", 15, "shade/departure.h", "its own", 1, 1, 1},
         {"origin_side", "spawn", 18, "shade/departure.h", "margin", 1, 1, 1},

@@ -74,6 +74,20 @@ const std::vector<Change> kOfSpawn = {
     {"sqrt(dot3(normal, normal)) +", "rough(sqrt(dot3(normal, normal))) +"},
 };
 
+// The struct's last word stands for the constant.
+const std::vector<Change> kOfCamera = {
+    {"0x1p-18f * fmax(fabs(w.x)", "as_float(screen->padding) * fmax(fabs(w.x)", true},
+    {"load_lanes(from_centre_x) / (floatv)(screen->width);",
+     "rough(load_lanes(from_centre_x) / (floatv)(screen->width));"},
+    {"load_lanes(from_centre_y) / (floatv)(screen->height);",
+     "rough(load_lanes(from_centre_y) / (floatv)(screen->height));"},
+    {"length = sqrt(dx * dx + dy * dy + dz * dz);",
+     "length = rough(sqrt(dx * dx + dy * dy + dz * dz));"},
+    {"direction[0] = dx / length;", "direction[0] = rough(dx / length);"},
+    {"direction[1] = dy / length;", "direction[1] = rough(dy / length);"},
+    {"direction[2] = dz / length;", "direction[2] = rough(dz / length);"},
+};
+
 const std::vector<Measured> kMeasured = {
     {"algebra", {"traverse/brute_force"}, {}},
     {"hits", {"traverse/brute_force"}, {}},
@@ -83,6 +97,7 @@ const std::vector<Measured> kMeasured = {
       "traverse/paper_faithful/traverse_level"},
      kOfCones},
     {"leaving", {"traverse/brute_force"}, kOfLeaving},
+    {"camera", {"bvh/spheres", "camera/rasterize"}, kOfCamera},
     {"spawn", {"traverse/brute_force", "shade/spawn"}, kOfSpawn},
 };
 
