@@ -12,6 +12,7 @@ namespace bench::stability {
 namespace {
 
 using test::Corners;
+using test::Float3;
 
 struct LessBits {
     bool operator()(const Corners& a, const Corners& b) const {
@@ -25,6 +26,10 @@ std::vector<uint32_t> find_twins(const test::Mesh& mesh) {
     for (uint32_t i = 0; i < twins.size(); ++i) {
         Corners corners;
         const bool is_valid = mesh.corners(i, &corners);
+        if (is_valid)
+            std::sort(corners.begin(), corners.end(), [](const Float3& a, const Float3& b) {
+                return std::memcmp(&a, &b, sizeof a) < 0;
+            });
         twins[i] = is_valid ? first.emplace(corners, i).first->second : i;
     }
     return twins;

@@ -14,7 +14,7 @@ struct Expected {
     uint64_t decisions = 0;  // active rays, times triangles
     uint64_t undecided = 0;  // of these
     std::vector<uint32_t>
-        twins;  // per triangle, the lowest with the same corners in their order
+        twins;  // per triangle, the lowest with the same corners, in any order
 };
 
 // Of `most` rays at least, evenly among all, or of all.

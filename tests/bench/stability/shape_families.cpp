@@ -1,4 +1,6 @@
 // shape_families.cpp - triangles that are thin, flat, twice there or no triangles.
+#include <algorithm>
+
 #include "stability/aim.hpp"
 #include "stability/family.hpp"
 
@@ -110,6 +112,21 @@ Scene starting(Random& random, Extent e) {
     return scene;
 }
 
+// Each triangle some times, its corners as they were, turned or reversed: of all of them, the first
+// is hit.
+Scene turned_copies(Random& random, Extent e) {
+    const Mesh once = test::random_soup(random, std::max(e.triangles / 4, 1u));
+    Mesh mesh;
+    for (uint32_t i = 0; i < e.triangles; ++i) {
+        test::Corners c;
+        once.corners(random.below(once.triangle_count()), &c);
+        if (random.chance(0.5f)) std::swap(c[1], c[2]);
+        std::rotate(c.begin(), c.begin() + random.below(3), c.end());
+        mesh.add(c[0], c[1], c[2]);
+    }
+    return {mesh, rays_at_triangles(random, mesh, e.side)};
+}
+
 }  // namespace
 
 std::vector<Family> shape_families() {
@@ -124,7 +141,8 @@ std::vector<Family> shape_families() {
             {"watertight_outside", Kind::kAimed, watertight_outside},
             {"grazing", Kind::kAimed, grazing},
             {"leaving", Kind::kAimed, leaving},
-            {"starting", Kind::kAimed, starting}};
+            {"starting", Kind::kAimed, starting},
+            {"turned_copies", Kind::kAimed, turned_copies}};
 }
 
 }  // namespace bench::stability
