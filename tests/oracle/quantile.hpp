@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace oracle {
 // Infinite ones are the largest. Of at least one value.
 inline double quantile(std::vector<double> all, double share) {
     const size_t last = all.size() - 1;
-    const auto at = all.begin() + std::ptrdiff_t(share * double(last) + 0.5);
+    const auto at = all.begin() + std::lround(share * double(last));
     std::nth_element(all.begin(), at, all.end());
     return *at;
 }
