@@ -263,7 +263,7 @@ typedef cl_uint rsh_features;
 #define RSH_FEATURE_ALL 0x3fu
 
 /* Triangles. A triangle with an index out of range or a vertex that is not finite is never hit;
- * one that a ray sees edge-on, or that has no area, is not hit by it. Both faces count. */
+ * nor is one without area, or, as far as floats tell, seen edge-on. Both faces count. */
 typedef struct rsh_geometry {
     cl_mem vertices;              /* in: x, y, z as floats [world] at every stride        */
     cl_ulong vertices_offset;     /* bytes before the first x, a multiple of 4            */
@@ -533,9 +533,9 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          the ray moves away from, parallel to that triangle or to the one skipped; or in the
  *          latter one (kernels/mesh/leaving.h). No true hit is lost by that, but one that only
  *          touches the triangle where the ray starts.
- * Errors:  t errs by up to 2^-20 of the farthest component of a corner, seen from the origin of the
- *          ray (kernels/mesh/intersect.h): for a ground of 1e7 that a ray meets obliquely, by
- *          as much as 10, and what is nearer to it than that may be seen behind it. A ray that
+ * Errors:  a hit is within 47 * 2^-24 of its triangle, in units of the farthest component of a corner
+ *          seen from the ray's origin (docs/numerics.md): some tens for a ground of 1e7, farther
+ *          along a ray nearly in its plane; what is nearer to it may be seen behind it. A ray that
  *          starts on a triangle, and does not skip it, may find it near t = 0 or not.
  * Limits:  nothing is hit at t above the largest float, nor by a ray whose direction has no
  *          component of more than 2^-128. Where the device flushes denormals (rsh_selftest), the
