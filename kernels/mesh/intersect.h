@@ -6,11 +6,11 @@
  * the edge values  U = C x B,  V = A x C,  W = B x A  are twice the areas that 0 makes with the
  * edges: 0 is inside when none of them differs in sign.
  *
- * Two triangles that share an edge compute its value from the same four numbers with the
- * factors swapped. difference_of_products errs by at most 1.5 ulp, so its sign is exact and it
- * is 0 only for a true 0: the ray passes on one side for one triangle and on the other for its
- * neighbour, or on the edge (a hit) for both. No crack, also at vertices; no double-precision
- * fallback.
+ * Two triangles that share an edge compute its value from the same four numbers, in the same
+ * order or with the factors swapped. difference_of_products errs by at most 1.5 ulp, so its sign
+ * is exact and it is 0 only for a true 0: the ray passes on one side for one triangle and on the
+ * other for its neighbour, or on the edge (a hit) for both. No crack, also at vertices; no
+ * double-precision fallback.
  *
  * Corners are taken in the order of mesh/corner_order.h, so that coincident triangles have the same
  * t, and are hit or not together, in whatever order their corners come.

@@ -1,6 +1,7 @@
 // mesh.cpp - the generators of mesh.hpp. Knows no device.
 #include "support/mesh.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace test {
@@ -145,6 +146,18 @@ Mesh degenerate_soup(Random& random, uint32_t count) {
     for (uint32_t i = 0; i < mesh.vertices.size(); ++i) mesh.indices.push_back(i);
     for (uint32_t t = 0; t < mesh.triangle_count(); t += 17)
         mesh.indices[3 * t + t % 3] = t % 2 ? 0xffffffffu : uint32_t(mesh.vertices.size());
+    return mesh;
+}
+
+Mesh turned_copies(Random& random, const Mesh& once, uint32_t count) {
+    Mesh mesh;
+    for (uint32_t i = 0; i < count; ++i) {
+        Corners c;
+        once.corners(random.below(once.triangle_count()), &c);
+        if (random.chance(0.5f)) std::swap(c[1], c[2]);
+        std::rotate(c.begin(), c.begin() + random.below(3), c.end());
+        mesh.add(c[0], c[1], c[2]);
+    }
     return mesh;
 }
 

@@ -41,6 +41,8 @@ Mesh degenerate_soup(Random& random, uint32_t count);
 
 // Right-angled, along the axes, so that corners of triangles are corners of boxes.
 Mesh square_triangles(Random& random, uint32_t count);
+// So many, each one of `once`, its corners as they were, turned or reversed.
+Mesh turned_copies(Random& random, const Mesh& once, uint32_t count);
 
 // One triangle around everything and many below 1e-4.
 Mesh large_next_to_tiny(Random& random, uint32_t count);

@@ -1,17 +1,9 @@
 #include "hits/contender.hpp"
 #include "stability/traced_scene.hpp"
+#include "upload.hpp"
 
 namespace bench::hits {
 namespace {
-
-template <class T>
-cl::Buffer upload(const Device& device, const std::vector<T>& items) {
-    if (items.empty()) return cl::Buffer();
-    const size_t bytes = items.size() * sizeof(T);
-    cl::Buffer buffer(device.context(), CL_MEM_READ_WRITE, bytes);
-    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, items.data());
-    return buffer;
-}
 
 class RshContender final : public Contender {
 public:

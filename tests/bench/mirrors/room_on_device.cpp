@@ -1,14 +1,9 @@
 #include "mirrors/room_on_device.hpp"
 
+#include "upload.hpp"
+
 namespace bench::mirrors {
 namespace {
-
-template <class T>
-cl::Buffer upload(const Device& device, const std::vector<T>& items) {
-    if (items.empty()) return cl::Buffer();
-    return cl::Buffer(device.context(), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR,
-                      items.size() * sizeof(T), const_cast<T*>(items.data()));
-}
 
 template <class T>
 cl::Buffer output(const Device& device, size_t count) {

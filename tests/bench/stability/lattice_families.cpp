@@ -97,17 +97,9 @@ Scene axis_parallel(Random& random, Extent e) {
     return {mesh, rays_at_lattice(random, mesh, e.side, axis_direction)};
 }
 
-// Each triangle some times, its corners as they were, turned and reversed, in no order.
 Scene duplicates(Random& random, Extent e) {
-    Mesh mesh;
     const Mesh once = right_triangles(random, std::max(e.triangles / 4, 1u));
-    for (uint32_t i = 0; i < e.triangles; ++i) {
-        test::Corners c;
-        once.corners(random.below(once.triangle_count()), &c);
-        if (random.chance(0.5f)) std::swap(c[1], c[2]);
-        std::rotate(c.begin(), c.begin() + random.below(3), c.end());
-        mesh.add(c[0], c[1], c[2]);
-    }
+    const Mesh mesh = test::turned_copies(random, once, e.triangles);
     return {mesh, rays_at_lattice(random, mesh, e.side, lattice_direction)};
 }
 

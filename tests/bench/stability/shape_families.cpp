@@ -112,18 +112,10 @@ Scene starting(Random& random, Extent e) {
     return scene;
 }
 
-// Each triangle some times, its corners as they were, turned or reversed: of all of them, the first
-// is hit.
+// Of all copies of a triangle, the first is hit.
 Scene turned_copies(Random& random, Extent e) {
     const Mesh once = test::random_soup(random, std::max(e.triangles / 4, 1u));
-    Mesh mesh;
-    for (uint32_t i = 0; i < e.triangles; ++i) {
-        test::Corners c;
-        once.corners(random.below(once.triangle_count()), &c);
-        if (random.chance(0.5f)) std::swap(c[1], c[2]);
-        std::rotate(c.begin(), c.begin() + random.below(3), c.end());
-        mesh.add(c[0], c[1], c[2]);
-    }
+    const Mesh mesh = test::turned_copies(random, once, e.triangles);
     return {mesh, rays_at_triangles(random, mesh, e.side)};
 }
 

@@ -1,7 +1,7 @@
 #include "stability/traced_scene.hpp"
 
 #include "frame/frame_rows.hpp"
-#include "stability/upload.hpp"
+#include "upload.hpp"
 
 namespace bench::stability {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "stability/traced_scene.hpp"
-#include "stability/upload.hpp"
+#include "upload.hpp"
 
 namespace bench::stability {
 namespace {

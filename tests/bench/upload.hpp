@@ -5,7 +5,7 @@
 
 #include "device.hpp"
 
-namespace bench::stability {
+namespace bench {
 
 template <class T>
 cl::Buffer upload(const Device& device, const std::vector<T>& items) {
@@ -16,4 +16,4 @@ cl::Buffer upload(const Device& device, const std::vector<T>& items) {
     return buffer;
 }
 
-}  // namespace bench::stability
+}  // namespace bench
