@@ -52,9 +52,9 @@ typedef cl_ulong rsh_ulong;
 /* A ray: the points origin + t * direction with tmin <= t <= tmax; a tmin below 0 counts as 0.
  *
  * The direction has any length but zero, within limits (rsh_traverse); t counts in units of that
- * length. A ray is inactive,
- * costs nothing in the hierarchy and hits nothing, when a component of its origin or direction
- * is not finite, its direction is zero, tmin or tmax is NaN, or tmax < tmin. */
+ * length. A ray is inactive, costs nothing in the hierarchy and hits nothing, when a component of
+ * its origin or direction is not finite, its direction is zero, tmin or tmax is NaN, or tmax is
+ * below tmin. */
 typedef struct rsh_ray {
     rsh_float4 origin_tmin;    /* xyz: origin [world], w: tmin    */
     rsh_float4 direction_tmax; /* xyz: direction [world], w: tmax */

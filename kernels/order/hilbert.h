@@ -20,7 +20,7 @@ static uintv spread_bits(uintv x)
 /* All ones where the bit is set. */
 static uintv mask_of(uintv x, uint bit) { return (uintv)(0u) - (x >> bit & 1u); }
 
-/* In the bits below `bit`: inverts x where b has the bit set, places x and b where not. */
+/* In the bits below `bit`: inverts x where b has the bit set, swaps x and b where not. */
 static void turn(uintv* x, uintv* b, uint bit)
 {
     const uint lower_bits = (1u << bit) - 1;
