@@ -57,7 +57,9 @@ static void take_barycentric_point(const surface_hit* surface, rsh_hit hit, depa
  * taken off errs by the share that `along` does, 4u of its terms and 5u for the quotient, and by
  * 3u for two products and a sum: 12u of the terms. The low parts are floats, too: of a sum below u of
  * the point's coordinates and of the path's each, they are rounded three times, 4u^2 = 2^-46.
- * Slivers and rays along the plane, of which all that says little, keep the barycentric point. */
+ * Slivers and rays along the plane, of which all that says little, keep the barycentric point. So
+ * do rays that meet the plane far from what t says, as t errs by 11u / sine of the angle between
+ * them: if they hit the triangle by rounding alone, they meet its plane that far beside it. */
 static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departure* from)
 {
     const float3 d = from->direction;
@@ -69,14 +71,16 @@ static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departu
     const float3 normal = from->normal.high;
     const float distance = twofold_dot(from->normal, from_v0).high;
     const float along = 1.0f / dot3(normal, d);
-    const twofold3 point = exact_sum3(near.high, near_rest - distance * along * d);
+    const float way = distance * along;
+    const twofold3 point = exact_sum3(near.high, near_rest - way * d);
     from->point = point.high;
     from->rest = point.low;
     const float share = 0x1p-20f * dot3(fabs(normal), fabs(d)) * fabs(along);
     from->error = (0x1p-36f * surface->edges.extent + share * fabs(distance)) /
                       sqrt(dot3(normal, normal)) +
                   0x1p-46f * (largest3(fabs(near.high)) + largest3(fabs(path.high)));
-    return from->error <= 0x1p-21f * surface->edges.extent;
+    return from->error <= 0x1p-21f * surface->edges.extent &&
+           fabs(way) <= 0x1p-18f * (surface->edges.extent + largest3(fabs(path.high)));
 }
 
 static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit hit)

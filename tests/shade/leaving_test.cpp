@@ -2,6 +2,9 @@
 // those that go out, and those that go in get out where they should. RSH_TEST_RAYS asks for more.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "shade/leaving.hpp"
 #include "support/bodies.hpp"
 #include "support/changed_kernels.hpp"
@@ -113,6 +116,72 @@ TEST(LeavingIsStopped, WhereNoPlaneSeparates) {
                            "return separates(hit, left->rays[ray], hit, false) ||",
                            "return false &&"),
               0u);
+}
+
+// Grazing rays, aimed at the edges of triangles that stand apart. What passes an edge within
+// rounding is hit or not; the plane may be met far beside that.
+struct Grazed {
+    test::Mesh mesh;
+    test::Rays rays;
+};
+
+Grazed grazed_edges(Random& random, uint32_t count) {
+    Grazed grazed{{}, {{}, count, 1}};
+    for (uint32_t i = 0; i < count; ++i) {
+        const test::Float3 place(4 * float(i % 64), 4 * float(i / 64 % 64),
+                                 4 * float(i / 4096));
+        for (int corner = 0; corner < 3; ++corner)
+            grazed.mesh.vertices.push_back(place + random.in_cube());
+        const test::Double3 a(grazed.mesh.vertices[3 * i]), b(grazed.mesh.vertices[3 * i + 1]),
+            c(grazed.mesh.vertices[3 * i + 2]),
+            normal = normalize(cross(b - a, c - a)),
+            at = a + double(random.between(0.1f, 0.9f)) * (b - a),
+            in_plane = normalize(a + double(random.between(0.1f, 0.9f)) * (c - a) - at),
+            way = in_plane + std::exp2(double(random.between(-22, -6))) * normal;
+        const test::Float3 eye(at - way);
+        grazed.rays.rays.push_back(test::make_ray(eye, test::Float3(at) - eye));
+    }
+    return grazed;
+}
+
+bool is_at_box(test::Float3 point, const test::Corners& c) {
+    const auto between = [&](float x, float p, float q, float r) {
+        const float room = 0x1p-15f + 0x1p-20f * std::fabs(x);
+        return x >= std::min({p, q, r}) - room && x <= std::max({p, q, r}) + room;
+    };
+    return between(point.x, c[0].x, c[1].x, c[2].x) &&
+           between(point.y, c[0].y, c[1].y, c[2].y) && between(point.z, c[0].z, c[1].z, c[2].z);
+}
+
+// How many start far from the box of the triangle that they left; `seen`: of how many.
+size_t far_starts(rsh_context context, size_t* seen) {
+    Random random(312);
+    const Grazed grazed = grazed_edges(random, uint32_t(test::ray_count(20000)));
+    const test::Sending sending{{RSH_SPAWN_REFLECTION, RSH_SPAWN_REFRACTION}, 1.5f, context};
+    size_t far = 0;
+    for (const test::Departures& from : send(grazed.mesh, grazed.rays, sending))
+        for (size_t i = 0; i < from.rays.size(); ++i) {
+            test::Corners c;
+            if (!test::is_active(from.rays[i]) || !grazed.mesh.corners(from.skip[i], &c))
+                continue;
+            ++*seen;
+            far += !is_at_box(test::origin(from.rays[i]), c);
+        }
+    return far;
+}
+
+TEST(LeavingStarts, AtTheTriangleThatRoundingAloneHits) {
+    size_t seen = 0;
+    EXPECT_EQ(far_starts(nullptr, &seen), 0u) << "of " << seen;
+    EXPECT_GT(seen, test::ray_count(20000) / 4);
+}
+
+// The test above can fail.
+TEST(LeavingStarts, ElsewhereWhereRaysMeetThePlane) {
+    const test::ChangedKernels changed("shade/departure.h", "fabs(way) <= 0x1p-18f",
+                                       "INFINITY > 0x1p-18f");
+    size_t seen = 0;
+    EXPECT_GT(far_starts(changed.context(), &seen), 0u) << "of " << seen;
 }
 
 }  // namespace

@@ -65,15 +65,14 @@ private:
         }
     }
 
-    // A ray on the inner side of its triangle begins inside, or near another triangle. Not judged
-    // where there is a hit by rounding alone, whose ray meets the plane elsewhere, or none.
+    // A ray on the inner side of its triangle begins inside, or near another triangle.
     Verdict judge_place(size_t i, const oracle::SpawnedRay& ray) const {
         if (!test::is_active(ray.ray)) return {};
         const Float3 origin = test::origin(ray.ray);
         const Corners left = corners_of(ray.skip);
         const rsh_ray& seen = spawned_.seen.rays[i];
         const oracle::PlaneHit at = oracle::plane_hit(seen, left);
-        if (!oracle::intersect(seen, left).exact || !at.is_sided) return {};
+        if (!at.is_sided) return {};
         if (oracle::side_of_plane(origin, left) >= 0 || oracle::is_inside(scene_.mesh, origin))
             return {};
         // Two ulp per axis, what the hit may lie beside its triangle, and along a ray that grazes
