@@ -17,6 +17,7 @@
 #include "shade/clear_colour.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
+#include "shade/wave.hpp"
 #include "traverse/audit.hpp"
 #include "traverse/engine.hpp"
 
@@ -33,48 +34,62 @@ public:
         if (memory_.has_bounces()) recorder_.wait_for_callers();
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
+        const Wave screen = memory_.screen();
         rasterize(recorder_, memory_.rasterize());
-        audit_hits(memory_.audit(0));
+        audit_hits(memory_.audit(screen));
         if (memory_.traces_rays()) bound(recorder_, memory_.bound());
         begin_image();
-        shade_wave(0);
-        spawn_waves(0);
+        shade_wave(screen);
+        if (memory_.has_bounces()) spawn_wave(screen, whole_wave(screen.width, screen.height));
     }
 
 private:
-    // The ray tree, depth first: all reflections of a wave and what they see, then its
-    // refractions.
-    void spawn_waves(cl_uint bounce) {
-        if (bounce == desc_.bounces) return;
-        if (has(RSH_FEATURE_REFLECTION)) trace_wave(bounce, RSH_SPAWN_REFLECTION);
-        if (has(RSH_FEATURE_REFRACTION)) trace_wave(bounce, RSH_SPAWN_REFRACTION);
+    // The next wave: what these rays reflect and refract. If there is no room for all of it, that
+    // of the first half of them and what becomes of it, then that of the second half.
+    void spawn_wave(const Wave& wave, const wave_part& part) {
+        if (wave.bounce == desc_.bounces) return;
+        const WavePass pass = memory_.next(wave, part);
+        count_branches(recorder_, pass);
+        const cl_uint spawned = read_count();
+        if (spawned == 0) return;
+        if (spawned > memory_.most_rays()) {
+            const cl_uint half = part.count / 2;
+            spawn_wave(wave, {part.width, part.height, part.first, half});
+            spawn_wave(wave, {part.width, part.height, part.first + half, part.count - half});
+            return;
+        }
+        spawn_branches(recorder_, pass);
+        trace_wave({wave.bounce + 1, spawned, 1});
+        gather_branches(recorder_, pass, memory_.colour(wave.bounce + 1),
+                        memory_.colour(wave.bounce));
     }
 
-    void trace_wave(cl_uint bounce, cl_uint kind) {
-        clear_active_count();
-        spawn(recorder_, memory_.spawn(bounce, kind));
-        if (!count_wave(bounce + 1)) return;
+    void trace_wave(const Wave& wave) {
         report_progress();
-        build(recorder_, memory_.build(bounce + 1));
-        traverse(recorder_, memory_.traverse(bounce + 1));
-        audit_hits(memory_.audit(bounce + 1));
-        shade_wave(bounce + 1);
-        spawn_waves(bounce + 1);
+        count_rays(wave);
+        build(recorder_, memory_.build(wave));
+        traverse(recorder_, memory_.traverse(wave));
+        audit_hits(memory_.audit(wave));
+        shade_wave(wave);
+        spawn_wave(wave, whole_wave(wave.width, wave.height));
     }
 
-    void shade_wave(cl_uint bounce) {
-        if (memory_.casts_shadows()) cast_shadows(bounce);
-        shade(recorder_, memory_.shade(bounce));
+    void shade_wave(const Wave& wave) {
+        if (memory_.casts_shadows()) cast_shadows(wave);
+        if (wave.bounce == 0)
+            shade(recorder_, memory_.shade(wave));
+        else
+            shade_first(recorder_, memory_.shade(wave));
     }
 
-    void cast_shadows(cl_uint bounce) {
-        recorder_.fill(RSH_STAGE_OTHER, memory_.occlusion(), 0, size_t{memory_.pixels()} * 4);
+    void cast_shadows(const Wave& wave) {
+        recorder_.fill(RSH_STAGE_OTHER, memory_.occlusion(), 0, size_t{wave.rays()} * 4);
         for (cl_uint light = 0; light < desc_.scene->light_count; ++light) {
             if (!(desc_.scene->shadow_lights >> light & 1)) continue;
-            spawn_shadow(bounce, light);
-            build(recorder_, memory_.build_shadow(light));
-            traverse(recorder_, memory_.traverse_shadow(light));
-            audit_hits(memory_.audit_shadow(light));
+            spawn_shadow(wave, light);
+            build(recorder_, memory_.build_shadow(wave, light));
+            traverse(recorder_, memory_.traverse_shadow(wave, light));
+            audit_hits(memory_.audit_shadow(wave, light));
         }
     }
 
@@ -83,38 +98,38 @@ private:
     }
 
     // Light by light, lest their sum outgrow 32 bits; only statistics read the count.
-    void spawn_shadow(cl_uint bounce, cl_uint light) {
+    void spawn_shadow(const Wave& wave, cl_uint light) {
         if (is_counting_) clear_active_count();
-        spawn(recorder_, memory_.spawn_shadow(bounce, light));
-        count_later([bounce](rsh_statistics& sums, const cl_uint* count) {
+        spawn(recorder_, memory_.spawn_shadow(wave, light));
+        count_later([bounce = wave.bounce](rsh_statistics& sums, const cl_uint* count) {
             sums.shadow_rays[bounce] += *count;
         });
     }
 
     void begin_image() {
         clear_active_count();
-        clear_colour(recorder_, *desc_.scene, memory_.hits(0), memory_.pixels(), desc_.colour,
-                     memory_.active_count());
+        clear_colour(recorder_, *desc_.scene, memory_.hits(0), memory_.screen().rays(),
+                     desc_.colour, memory_.active_count());
         count_later(
             [](rsh_statistics& sums, const cl_uint* count) { sums.active_rays[0] += *count; });
     }
-
-    bool has(rsh_features feature) const { return (desc_.scene->features & feature) != 0; }
 
     void clear_active_count() {
         recorder_.fill(RSH_STAGE_OTHER, memory_.active_count(), 0, sizeof(cl_uint));
     }
 
-    // The one place where a frame waits for what it enqueued: an empty wave ends its branch of the
-    // tree, and bounds that were none end the frame.
-    bool count_wave(cl_uint bounce) {
+    // The one place where a frame waits for what it enqueued: for how many rays the next wave has.
+    // Bounds that were none end the frame.
+    cl_uint read_count() {
         recorder_.copy_word(recorder_.wrong_buffers(), memory_.active_count(), 1);
         const auto [count, wrong_buffers] = recorder_.read_now(memory_.active_count());
         require_right_buffers(wrong_buffers);
-        recorder_.context().statistics.add([bounce, count = count](rsh_statistics& sums) {
-            sums.active_rays[bounce] += count;
-        });
-        return count > 0;
+        return count;
+    }
+
+    void count_rays(const Wave& wave) {
+        recorder_.context().statistics.add(
+            [wave](rsh_statistics& sums) { sums.active_rays[wave.bounce] += wave.rays(); });
     }
 
     template <class Use>

@@ -41,9 +41,9 @@
  *              nodes were made for another shape, another number of triangles, a screen or list
  *              of another size, or not at all, the traversal finds no hits, touches nothing else,
  *              and leaves a mark that rsh_device_status and rsh_get_statistics report; rsh_frame
- *              returns RSH_INVALID_VALUE where it waits, once per secondary wave. That vertices
- *              or rays have other values by now, or that the caller wrote into bounds or nodes,
- *              is not found out.
+ *              returns RSH_INVALID_VALUE where it waits, once per bounce. That vertices or rays
+ *              have other values by now, or that the caller wrote into bounds or nodes, is not
+ *              found out.
  *   Overlap    Memory that a call writes (outputs, scratch) must not overlap other memory that
  *              it reads or writes: RSH_INVALID_VALUE. Sub-buffers are compared by their parent
  *              and range. Members that are marked in/out are one piece of memory.
@@ -695,11 +695,15 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
 /* Renders a frame: rasterize and bound, then per wave of rays: build, traverse, cast shadows,
  * shade, spawn.
  *
- * Waves are the nodes of the ray tree, depth first: all reflections of a wave, then all its
- * refractions. Memory is that of one wave per bounce.
- * BLOCKS once per secondary wave, to read how many rays it holds: an empty one ends its
- * branch. Where there can be such waves, it first flushes `queue` and BLOCKS for the wait list,
- * and enqueues nothing when an event of it fails. */
+ * The rays of a bounce are one wave: all reflections of the wave before, then all its refractions,
+ * packed, those of a screen tile beside each other. A wave costs its rays, not the screen's: with B
+ * bounces and S lights that cast shadows a frame traverses S + B (1 + S) times at most. A pixel is
+ * the sum of what its ray sees itself, then of what its reflection sees, then its refraction.
+ * Memory: a wave per bounce, of up to width * height rays. One that would hold more is taken in
+ * parts, one after the other with all that comes of it; the picture's bits stay the same.
+ * BLOCKS once per bounce, and per part of a wave, to read how many rays the next one holds: none
+ * end the frame. Where there can be such waves, it first flushes `queue` and BLOCKS for the wait
+ * list, and enqueues nothing when an event of it fails. */
 RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
                              const rsh_frame_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);

@@ -11,14 +11,20 @@ typedef struct strided_range {
     uint begin, end, step;
 } strided_range;
 
-/* Of `count` elements, those of this work-item. */
-static strided_range my_elements(uint count)
+/* Of `count` elements, a range for this work-item; these are in the order of the work-items. */
+static strided_range my_range(uint count)
 {
     const uint items = get_global_size(0), me = get_global_id(0);
-    if (RSH_WIDTH == 1) return (strided_range){me, count, items};
     const uint per_item = count / items + (count % items != 0);
     const uint begin = min(count, (uint)min((ulong)per_item * me, (ulong)count));
     return (strided_range){begin, begin + min(per_item, count - begin), 1};
+}
+
+/* Of `count` elements, those of this work-item, in any order. */
+static strided_range my_elements(uint count)
+{
+    if (RSH_WIDTH == 1) return (strided_range){get_global_id(0), count, get_global_size(0)};
+    return my_range(count);
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* shade.cl - what each ray sees, added to its colour, see rsh_shade.
  *   rays, hits, weights  in      weights NULL: all 1
  *   occlusion            in      bit k: light k is hidden; NULL: nothing is hidden
- *   colour               in/out  rgb grows, a stays
+ *   colour               in/out  rgb grows, a stays; is_first: rgb only goes out
  * Mirrored and refracted light is added by shading the rays that shade/spawn.cl makes.
  */
 #include "shade/light.h"
@@ -76,10 +76,12 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                         __global const uint* texels, float4 ambient, float4 environment,
                         uint environment_image, uint ray_count, __global const rsh_ray* rays,
                         __global const rsh_hit* hits, __global const float4* weights,
-                        __global const uint* occlusion, __global float4* colour)
+                        __global const uint* occlusion, uint is_first, __global float4* colour)
 {
     const uint i = get_global_id(0);
-    if (i >= ray_count || !is_active(rays[i])) return;
+    if (i >= ray_count) return;
+    if (is_first) colour[i].xyz = (float3)(0.0f);
+    if (!is_active(rays[i])) return;
     const float3 weight = weights ? weights[i].xyz : (float3)(1.0f);
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};

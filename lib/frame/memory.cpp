@@ -1,5 +1,7 @@
 #include "frame/memory.hpp"
 
+#include <algorithm>
+
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "rays/node_shape.hpp"
@@ -32,12 +34,12 @@ rsh_rasterize_desc rasterize_of(const rsh_frame_desc& desc) {
     return pass;
 }
 
-rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
+rsh_traverse_desc traverse_of(const rsh_frame_desc& desc, cl_uint width, cl_uint height) {
     rsh_traverse_desc pass = {};
     pass.struct_size = sizeof pass;
     pass.geometry = desc.scene->geometry;
-    pass.width = desc.width;
-    pass.height = desc.height;
+    pass.width = width;
+    pass.height = height;
     pass.engine = desc.engine;
     pass.shape = desc.shape;
     pass.strategy = desc.strategy;
@@ -45,37 +47,64 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc) {
     return pass;
 }
 
+// What traversals of up to that many rays need, in a screen or in a list.
+void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
+    const NodeShape& shape = find_shape(desc.shape);
+    const Engine& engine = find_engine(desc.engine);
+    size_t nodes = 0, build = 0, traverse = 0;
+    const auto reserve = [&](cl_uint width, cl_uint height) {
+        const ray_levels levels = shape.levels(width, height);
+        nodes = std::max(nodes, shape.bytes(levels));
+        build = std::max(build, shape.scratch(context, levels).bytes());
+        const rsh_traverse_desc pass = traverse_of(desc, width, height);
+        traverse =
+            std::max(traverse, engine.scratch(context, pass, BoundsFrom::caller).bytes());
+    };
+    reserve(desc.width, desc.height);
+    if (needs_bounces(desc)) reserve(desc.width * desc.height, 1);
+    layout.add("nodes", nodes);
+    layout.add("build scratch", build);
+    layout.add("traverse", traverse);
+}
+
 // What rays below the camera's need, and only if there are any.
 void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
-    const NodeShape& shape = find_shape(desc.shape);
-    const SceneBounds& bounds = bounds_for(shape.id());
+    const SceneBounds& bounds = bounds_for(find_shape(desc.shape).id());
     const rsh_geometry& geometry = desc.scene->geometry;
     layout.add_array<cl_uint>("wrong buffers", 1);
     layout.add_array<cl_uint>("skip", size_t{desc.width} * desc.height);
     if (!desc.bounds) layout.add("bounds", bounds.bytes(geometry));
     layout.add("bound scratch", bounds.scratch(context, geometry, desc.mode).bytes());
-    const ray_levels levels = shape.levels(desc.width, desc.height);
-    layout.add("nodes", shape.bytes(levels));
-    layout.add("build scratch", shape.scratch(context, levels).bytes());
-    const Engine& engine = find_engine(desc.engine);
-    layout.add("traverse",
-               engine.scratch(context, traverse_of(desc), BoundsFrom::caller).bytes());
+    add_traversal(layout, context, desc);
+}
+
+void add_waves(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
+    const size_t pixels = size_t{desc.width} * desc.height;
+    for (cl_uint bounce = 0; bounce <= desc.bounces; ++bounce) {
+        if (bounce < desc.bounces)
+            layout.add_array<cl_uint>(numbered("branches", bounce), RSH_BRANCHES * pixels);
+        if (bounce == 0) continue;
+        layout.add_array<rsh_ray>(numbered("rays", bounce), pixels);
+        layout.add_array<rsh_hit>(numbered("hits", bounce), pixels);
+        layout.add_array<rsh_float4>(numbered("weights", bounce), pixels);
+        layout.add_array<rsh_float4>(numbered("colour", bounce), pixels);
+    }
+    layout.add_array<cl_uint>("branch counts",
+                              wave_count_words(context, desc.width, desc.height));
 }
 
 }  // namespace
 
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
-    return chosen_strategy(context, traverse_of(desc));
+    return chosen_strategy(context, traverse_of(desc, desc.width, desc.height));
 }
 
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
     const size_t pixels = size_t{desc.width} * desc.height;
     Layout layout(context.caps.alignment);
-    for (cl_uint bounce = 0; bounce <= (needs_bounces(desc) ? desc.bounces : 0); ++bounce) {
-        layout.add_array<rsh_ray>(numbered("rays", bounce), pixels);
-        layout.add_array<rsh_hit>(numbered("hits", bounce), pixels);
-        if (bounce > 0) layout.add_array<rsh_float4>(numbered("weights", bounce), pixels);
-    }
+    layout.add_array<rsh_ray>("rays 0", pixels);
+    layout.add_array<rsh_hit>("hits 0", pixels);
+    if (needs_bounces(desc)) add_waves(layout, context, desc);
     layout.add_array<cl_uint>("active count", 2);
     layout.add("rasterize", rasterize_scratch(context, rasterize_of(desc)).bytes());
     if (needs_shadows(desc)) {
@@ -91,6 +120,11 @@ FrameMemory::FrameMemory(Recorder& recorder, const rsh_frame_desc& desc)
 
 cl_mem FrameMemory::at(const char* name, cl_uint bounce) const {
     return scratch_[numbered(name, bounce)];
+}
+
+// The camera's rays weigh 1.
+cl_mem FrameMemory::weights(const Wave& wave) const {
+    return wave.bounce > 0 ? at("weights", wave.bounce) : nullptr;
 }
 
 cl_mem FrameMemory::bounds() const {
@@ -126,93 +160,92 @@ rsh_bound_desc FrameMemory::bound() const {
             desc_.mode};
 }
 
-rsh_build_desc FrameMemory::build(cl_uint bounce) const {
+rsh_build_desc FrameMemory::build(const Wave& wave) const {
     return {sizeof(rsh_build_desc),
-            at("rays", bounce),
-            desc_.width,
-            desc_.height,
+            at("rays", wave.bounce),
+            wave.width,
+            wave.height,
             scratch_["nodes"],
             0,
             desc_.shape,
             scratch_["build scratch"]};
 }
 
-rsh_traverse_desc FrameMemory::traverse(cl_uint bounce) const {
-    rsh_traverse_desc pass = traverse_of(desc_);
+rsh_traverse_desc FrameMemory::traverse(const Wave& wave) const {
+    rsh_traverse_desc pass = traverse_of(desc_, wave.width, wave.height);
     pass.bounds = bounds();
-    pass.rays = at("rays", bounce);
+    pass.rays = at("rays", wave.bounce);
     pass.nodes = scratch_["nodes"];
-    pass.hits = at("hits", bounce);
+    pass.hits = at("hits", wave.bounce);
     pass.scratch = scratch_["traverse"];
     pass.skip = skip();
     return pass;
 }
 
-rsh_audit_desc FrameMemory::audit(cl_uint bounce) const {
+rsh_audit_desc FrameMemory::audit(const Wave& wave) const {
     rsh_audit_desc pass = {};
     pass.struct_size = sizeof pass;
     pass.geometry = desc_.scene->geometry;
-    pass.ray_count = pixels();
-    pass.rays = at("rays", bounce);
-    pass.hits = at("hits", bounce);
+    pass.ray_count = wave.rays();
+    pass.rays = at("rays", wave.bounce);
+    pass.hits = at("hits", wave.bounce);
     pass.sample = desc_.audit_rays;
     pass.seed = desc_.audit_seed;
     pass.report = desc_.audit;
-    pass.skip = bounce > 0 ? skip() : nullptr;
+    pass.skip = wave.bounce > 0 ? skip() : nullptr;
     return pass;
 }
 
-rsh_spawn_desc FrameMemory::spawn_at(cl_uint bounce, cl_uint kind) const {
-    rsh_spawn_desc pass = {};
+rsh_shade_desc FrameMemory::shade(const Wave& wave) const {
+    rsh_shade_desc pass = {};
     pass.struct_size = sizeof pass;
     pass.scene = desc_.scene;
-    pass.kind = kind;
-    pass.ray_count = pixels();
-    pass.rays = at("rays", bounce);
-    pass.hits = at("hits", bounce);
-    pass.weights = bounce > 0 ? at("weights", bounce) : nullptr;
+    pass.ray_count = wave.rays();
+    pass.rays = at("rays", wave.bounce);
+    pass.hits = at("hits", wave.bounce);
+    pass.weights = weights(wave);
+    pass.occlusion = occlusion();
+    pass.colour = colour(wave.bounce);
+    return pass;
+}
+
+WavePass FrameMemory::next(const Wave& wave, const wave_part& part) const {
+    WavePass pass = {};
+    pass.scene = desc_.scene;
+    pass.part = part;
     pass.min_weight = desc_.min_weight;
-    pass.active_count = active_count();
+    pass.rays = at("rays", wave.bounce);
+    pass.hits = at("hits", wave.bounce);
+    pass.weights = weights(wave);
+    pass.branches = at("branches", wave.bounce);
+    pass.counts = scratch_["branch counts"];
+    pass.spawned_count = active_count();
+    pass.spawned_rays = at("rays", wave.bounce + 1);
+    pass.spawned_weights = at("weights", wave.bounce + 1);
     pass.spawned_skip = skip();
     return pass;
 }
 
-rsh_spawn_desc FrameMemory::spawn(cl_uint bounce, cl_uint kind) const {
-    rsh_spawn_desc pass = spawn_at(bounce, kind);
-    pass.spawned_rays = at("rays", bounce + 1);
-    pass.spawned_weights = at("weights", bounce + 1);
-    return pass;
-}
-
-rsh_shade_desc FrameMemory::shade(cl_uint bounce) const {
-    rsh_shade_desc pass = {};
+rsh_spawn_desc FrameMemory::spawn_shadow(const Wave& wave, cl_uint light) const {
+    rsh_spawn_desc pass = {};
     pass.struct_size = sizeof pass;
     pass.scene = desc_.scene;
-    pass.ray_count = pixels();
-    pass.rays = at("rays", bounce);
-    pass.hits = at("hits", bounce);
-    pass.weights = bounce > 0 ? at("weights", bounce) : nullptr;
-    pass.occlusion = occlusion();
-    pass.colour = desc_.colour;
-    return pass;
-}
-
-rsh_spawn_desc FrameMemory::spawn_shadow(cl_uint bounce, cl_uint light) const {
-    rsh_spawn_desc pass = spawn_at(bounce, RSH_SPAWN_SHADOW);
+    pass.kind = RSH_SPAWN_SHADOW;
     pass.light = light;
+    pass.ray_count = wave.rays();
+    pass.rays = at("rays", wave.bounce);
+    pass.hits = at("hits", wave.bounce);
+    pass.active_count = active_count();
     pass.spawned_rays = scratch_["shadow rays"];
+    pass.spawned_skip = skip();
     return pass;
 }
 
-rsh_build_desc FrameMemory::build_shadow(cl_uint light) const {
-    return {sizeof(rsh_build_desc),
-            scratch_["shadow rays"],
-            desc_.width,
-            desc_.height,
-            scratch_["nodes"],
-            desc_.scene->positional_lights >> light & 1,
-            desc_.shape,
-            scratch_["build scratch"]};
+rsh_build_desc FrameMemory::build_shadow(const Wave& wave, cl_uint light) const {
+    rsh_build_desc pass = build(wave);
+    pass.rays = scratch_["shadow rays"];
+    pass.converging = desc_.scene->positional_lights >> light & 1;
+    return pass;
 }
 
 template <class Pass>
@@ -226,12 +259,12 @@ Pass FrameMemory::of_shadow(Pass pass, cl_uint light) const {
     return pass;
 }
 
-rsh_traverse_desc FrameMemory::traverse_shadow(cl_uint light) const {
-    return of_shadow(traverse(0), light);
+rsh_traverse_desc FrameMemory::traverse_shadow(const Wave& wave, cl_uint light) const {
+    return of_shadow(traverse(wave), light);
 }
 
-rsh_audit_desc FrameMemory::audit_shadow(cl_uint light) const {
-    return of_shadow(audit(0), light);
+rsh_audit_desc FrameMemory::audit_shadow(const Wave& wave, cl_uint light) const {
+    return of_shadow(audit(wave), light);
 }
 
 }  // namespace rsh

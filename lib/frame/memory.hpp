@@ -1,10 +1,11 @@
-// memory.hpp - the memory of a frame: one wave of rays per bounce, and what all waves share. A
-// wave is a screen of rays, all reflections or all refractions of the wave before it, inactive
-// where there is none. Declares buffers; pipeline.cpp says what happens in them.
+// memory.hpp - the memory of a frame: per bounce a wave of rays, and what all waves share. The first
+// wave is the screen; each later one holds what the one before it sent on, packed, or a part of that
+// if there is no room for more. Declares buffers; pipeline.cpp says what happens in them.
 #pragma once
 
 #include "device/cl/scratch.hpp"
 #include "rays/node_shape.hpp"
+#include "shade/wave.hpp"
 
 namespace rsh {
 
@@ -12,30 +13,41 @@ namespace rsh {
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc);
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc);
 
+// Rays of a bounce: a screen, or a list of height 1.
+struct Wave {
+    cl_uint bounce, width, height;
+
+    cl_uint rays() const { return width * height; }
+};
+
 class FrameMemory {
 public:
     FrameMemory(Recorder& recorder, const rsh_frame_desc& desc);
 
-    cl_uint pixels() const { return desc_.width * desc_.height; }
+    Wave screen() const { return {0, desc_.width, desc_.height}; }
+    // Rays that a wave after the first one may hold.
+    cl_uint most_rays() const { return desc_.width * desc_.height; }
     bool traces_rays() const;
     bool casts_shadows() const;
     bool has_bounces() const;
 
-    // Descriptors of the public calls over this frame's memory, for the wave of a bounce.
+    // Descriptors of the stages over this frame's memory.
     rsh_rasterize_desc rasterize() const;
     rsh_bound_desc bound() const;
-    rsh_build_desc build(cl_uint bounce) const;
-    rsh_traverse_desc traverse(cl_uint bounce) const;
-    rsh_audit_desc audit(cl_uint bounce) const;
-    rsh_spawn_desc spawn(cl_uint bounce, cl_uint kind) const;
-    rsh_shade_desc shade(cl_uint bounce) const;
-    // The shadow rays of one light at the hits of a bounce.
-    rsh_spawn_desc spawn_shadow(cl_uint bounce, cl_uint light) const;
-    rsh_build_desc build_shadow(cl_uint light) const;
-    rsh_traverse_desc traverse_shadow(cl_uint light) const;
-    rsh_audit_desc audit_shadow(cl_uint light) const;
+    rsh_build_desc build(const Wave& wave) const;
+    rsh_traverse_desc traverse(const Wave& wave) const;
+    rsh_audit_desc audit(const Wave& wave) const;
+    rsh_shade_desc shade(const Wave& wave) const;
+    // From a part of a wave to the next one.
+    WavePass next(const Wave& wave, const wave_part& part) const;
+    // The shadow rays of one light at the hits of a wave.
+    rsh_spawn_desc spawn_shadow(const Wave& wave, cl_uint light) const;
+    rsh_build_desc build_shadow(const Wave& wave, cl_uint light) const;
+    rsh_traverse_desc traverse_shadow(const Wave& wave, cl_uint light) const;
+    rsh_audit_desc audit_shadow(const Wave& wave, cl_uint light) const;
 
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
+    cl_mem colour(cl_uint bounce) const { return bounce ? at("colour", bounce) : desc_.colour; }
     cl_mem occlusion() const { return scratch_.find("occlusion"); }
     cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
     cl_mem active_count() const { return scratch_["active count"]; }
@@ -46,8 +58,7 @@ private:
     template <class Pass>
     Pass of_shadow(Pass pass, cl_uint light) const;
     cl_mem at(const char* name, cl_uint bounce) const;
-    // Without the rays that are spawned.
-    rsh_spawn_desc spawn_at(cl_uint bounce, cl_uint kind) const;
+    cl_mem weights(const Wave& wave) const;
     cl_mem bounds() const;
 
     rsh_frame_desc desc_;

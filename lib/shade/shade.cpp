@@ -4,7 +4,9 @@
 #include "shade/surface_kernel.hpp"
 
 namespace rsh {
-void shade(Recorder& recorder, const rsh_shade_desc& desc) {
+namespace {
+
+void shade(Recorder& recorder, const rsh_shade_desc& desc, bool is_first) {
     const rsh_scene& scene = *desc.scene;
     recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
                     recorder.range(desc.ray_count), mesh_view_of(scene.geometry),
@@ -13,7 +15,17 @@ void shade(Recorder& recorder, const rsh_shade_desc& desc) {
                     scene.lights, scene.light_count, scene.textures, scene.texture_count,
                     scene.texels, scene.ambient, scene.environment,
                     scene.environment_texture - 1u, desc.ray_count, desc.rays, desc.hits,
-                    desc.weights, desc.occlusion, desc.colour);
+                    desc.weights, desc.occlusion, cl_uint{is_first}, desc.colour);
+}
+
+}  // namespace
+
+void shade(Recorder& recorder, const rsh_shade_desc& desc) {
+    shade(recorder, desc, false);
+}
+
+void shade_first(Recorder& recorder, const rsh_shade_desc& desc) {
+    shade(recorder, desc, true);
 }
 
 }  // namespace rsh

@@ -8,5 +8,7 @@
 namespace rsh {
 
 void shade(Recorder& recorder, const rsh_shade_desc& desc);
+// Of colours that nothing was added to before, nor set.
+void shade_first(Recorder& recorder, const rsh_shade_desc& desc);
 
 }  // namespace rsh

@@ -7,6 +7,7 @@
 
 #include "api/struct_size.hpp"
 #include "api/valid_calls.hpp"
+#include "support/ways.hpp"
 
 namespace {
 
@@ -222,6 +223,28 @@ TEST_F(Queries, OfFeaturesRefuseStructSizes) {
                   std::string::npos)
             << rsh_last_error();
         EXPECT_EQ(scene.features, 77u);
+    }
+}
+
+// A frame has room for lists of up to so many rays, and learns on its way how long they are.
+TEST_F(Queries, AskNoMoreForShorterLists) {
+    for (const test::TraceOptions& way : test::all_ways()) {
+        SCOPED_TRACE(name_of(way));
+        rsh_build_desc build = valid_.build();
+        rsh_traverse_desc traverse = valid_.traverse();
+        build.shape = traverse.shape = way.bound;
+        traverse.engine = way.engine;
+        rsh_sizes made = {}, walked = {};
+        for (cl_uint rays = 1; rays < 1u << 24; rays += 1 + rays / 7) {
+            build.width = traverse.width = rays;
+            build.height = traverse.height = 1;
+            const rsh_sizes b = sizes_of(build), t = sizes_of(traverse);
+            ASSERT_GE(b.output_bytes, made.output_bytes) << rays << " rays";
+            ASSERT_GE(b.scratch_bytes, made.scratch_bytes) << rays << " rays";
+            ASSERT_GE(t.scratch_bytes, walked.scratch_bytes) << rays << " rays";
+            made = b;
+            walked = t;
+        }
     }
 }
 

@@ -105,10 +105,9 @@ size_t stopped_with(const NamedBody& body, const char* file, const char* from, c
 }
 
 TEST(LeavingIsStopped, WithoutAnOffset) {
-    EXPECT_GT(
-        stopped_with(bodies()[1], "shade/spawn.cl",
-                     "rounded_to_side(start, branch.side, branch.direction)", "from.point"),
-        0u);
+    EXPECT_GT(stopped_with(bodies()[1], "shade/branch.h",
+                           "rounded_to_side(start, side, direction)", "from->point"),
+              0u);
 }
 
 TEST(LeavingIsStopped, WhereNoPlaneSeparates) {
