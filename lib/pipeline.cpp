@@ -34,16 +34,20 @@ public:
         if (memory_.has_bounces()) recorder_.wait_for_callers();
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
+        if (memory_.traces_rays()) bound(recorder_, memory_.bound());
+        for (cl_uint row = 0; memory_.take_strip(row); row += memory_.rows()) render_strip();
+    }
+
+private:
+    void render_strip() {
         const Wave screen = memory_.screen();
         rasterize(recorder_, memory_.rasterize());
         audit_hits(memory_.audit(screen));
-        if (memory_.traces_rays()) bound(recorder_, memory_.bound());
         begin_image();
         shade_wave(screen);
         if (memory_.has_bounces()) spawn_wave(screen, whole_wave(screen.width, screen.height));
     }
 
-private:
     // The next wave: what these rays reflect and refract. If there is no room for all of it, that
     // of the first half of them and what becomes of it, then that of the second half.
     void spawn_wave(const Wave& wave, const wave_part& part) {
@@ -109,7 +113,7 @@ private:
     void begin_image() {
         clear_active_count();
         clear_colour(recorder_, *desc_.scene, memory_.hits(0), memory_.screen().rays(),
-                     desc_.colour, memory_.active_count());
+                     memory_.colour(0), memory_.active_count());
         count_later(
             [](rsh_statistics& sums, const cl_uint* count) { sums.active_rays[0] += *count; });
     }

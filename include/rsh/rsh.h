@@ -313,6 +313,14 @@ RSH_API rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* mater
 
 /* ---- primary rays ---- */
 
+/* The pixels of a call as a window in a larger picture, whose bits they have. All 0: they are the
+ * picture. */
+typedef struct rsh_window {
+    cl_uint x, y;           /* its first pixel in the picture */
+    cl_uint picture_width;  /* pixels, up to 16384, at least x + width; 0: the call's width  */
+    cl_uint picture_height;
+} rsh_window;
+
 typedef struct rsh_rasterize_desc {
     size_t struct_size;
     rsh_geometry geometry;
@@ -324,6 +332,7 @@ typedef struct rsh_rasterize_desc {
     cl_mem scratch;
     size_t scratch_budget;  /* bytes for the tiles' lists; 0: what usually suffices. With
                                less the call is slower, never wrong                         */
+    rsh_window window;
 } rsh_rasterize_desc;
 
 typedef struct rsh_sizes {
@@ -673,7 +682,9 @@ typedef struct rsh_frame_desc {
     cl_uint engine;       /* as in rsh_traverse_desc */
     cl_uint shape;        /* RSH_SHAPE_DEFAULT: what the engine takes */
     cl_uint strategy;
-    size_t budget;
+    size_t budget;        /* bytes of scratch that it may take; 0: a quarter of the device's
+                             memory, or its largest allocation. Too few for 64 rows are an error
+                             that names the least                                            */
     cl_mem colour;        /* out: width * height x float4, linear rgb; a = 1 where it sees
                              a triangle, else 0                                               */
     cl_mem scratch;
@@ -687,6 +698,7 @@ typedef struct rsh_frame_desc {
     cl_mem audit;         /* out, with audit_rays: one rsh_audit_report, the sum over all waves
                              of rays: those of the camera, secondary and shadow rays          */
     cl_uint audit_seed;   /* `seed` of rsh_audit: another one per frame audits other rays     */
+    rsh_window window;
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,
@@ -699,10 +711,12 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
  * packed, those of a screen tile beside each other. A wave costs its rays, not the screen's: with B
  * bounces and S lights that cast shadows a frame traverses S + B (1 + S) times at most. A pixel is
  * the sum of what its ray sees itself, then of what its reflection sees, then its refraction.
- * Memory: a wave per bounce, of up to width * height rays. One that would hold more is taken in
- * parts, one after the other with all that comes of it; the picture's bits stay the same.
- * BLOCKS once per bounce, and per part of a wave, to read how many rays the next one holds: none
- * end the frame. Where there can be such waves, it first flushes `queue` and BLOCKS for the wait
+ * Memory: the picture is worked off in strips of whole rows, as many as fit into the budget: 48
+ * bytes per pixel for the camera's rays, 36 for shadows, 88 per bounce, and the hierarchies. A wave
+ * has room for a strip's number of rays. One that would hold more is taken in parts, one after the
+ * other with all that comes of it. The picture's bits do not depend on any of that.
+ * BLOCKS once per bounce and strip, and per part of a wave, to read how many rays the next one
+ * holds: none end the strip. Where there can be such waves, it first flushes `queue` and BLOCKS for the wait
  * list, and enqueues nothing when an event of it fails. */
 RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
                              const rsh_frame_desc* desc, cl_uint wait_count,

@@ -48,11 +48,12 @@ static void pixel_directions(const screen_setup* screen, const uint* x, const ui
 {
     float from_centre_x[RSH_WIDTH], from_centre_y[RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {
-        from_centre_x[i] = (float)(2 * (int)x[i] + 1 - (int)screen->width);
-        from_centre_y[i] = (float)(2 * (int)y[i] + 1 - (int)screen->height);
+        const uint in_picture_x = screen->first_x + x[i], in_picture_y = screen->first_y + y[i];
+        from_centre_x[i] = (float)(2 * (int)in_picture_x + 1 - (int)screen->picture_width);
+        from_centre_y[i] = (float)(2 * (int)in_picture_y + 1 - (int)screen->picture_height);
     }
-    const floatv across = load_lanes(from_centre_x) / (floatv)(screen->width);
-    const floatv down = load_lanes(from_centre_y) / (floatv)(screen->height);
+    const floatv across = load_lanes(from_centre_x) / (floatv)(screen->picture_width);
+    const floatv down = load_lanes(from_centre_y) / (floatv)(screen->picture_height);
     const floatv dx = screen->forward_far.x + across * screen->right.x + down * screen->down.x;
     const floatv dy = screen->forward_far.y + across * screen->right.y + down * screen->down.y;
     const floatv dz = screen->forward_far.z + across * screen->right.z + down * screen->down.z;

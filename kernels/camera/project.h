@@ -112,16 +112,18 @@ static bool is_around_eye(const projected_corner* corners, depth_range slice)
     return all(extent.xy <= 2.0f) && all(extent.zw >= -2.0f);
 }
 
-/* First and last pixel, in .xy and .zw; first > last: none. Pixel centres are at
+/* First and last pixel of the window, in .xy and .zw; first > last: none. Pixel centres are at
  * (pixel + 0.5) / size * 2 - 1; the paddings have room for the 16u that rounding adds here. */
 static ushort4 pixels_of(const screen_setup* screen, float4 extent)
 {
     const float2 padding = (float2)(screen->across_padding, screen->down_padding);
-    const float2 size = (float2)(screen->width, screen->height);
+    const float2 size = (float2)(screen->picture_width, screen->picture_height);
+    const float2 begin = (float2)(screen->first_x, screen->first_y);
+    const float2 end = begin + (float2)(screen->width, screen->height);
     const float2 low = (extent.xy - padding + 1.0f) * (0.5f * size) - 0.5f;
     const float2 high = (extent.zw + padding + 1.0f) * (0.5f * size) - 0.5f;
-    const float2 first = fmin(fmax(ceil(low), 0.0f), size);
-    const float2 last = fmin(fmax(floor(high), -1.0f), size - 1.0f);
+    const float2 first = fmin(fmax(ceil(low), begin), end) - begin;
+    const float2 last = fmin(fmax(floor(high), begin - 1.0f), end - 1.0f) - begin;
     if (any(first > last)) return (ushort4)(1, 1, 0, 0);
     return (ushort4)(convert_ushort2(first), convert_ushort2(last));
 }

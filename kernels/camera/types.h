@@ -22,8 +22,12 @@ typedef struct screen_setup {
     rsh_float across_padding; /* how far rounding can turn a ray, in units of x and y */
     rsh_float down_padding;
     rsh_float near_depth; /* no ray has less depth at tmin */
-    rsh_uint width;       /* pixels */
+    rsh_uint width;       /* pixels of the window */
     rsh_uint height;
+    rsh_uint first_x; /* where in the picture it begins */
+    rsh_uint first_y;
+    rsh_uint picture_width; /* pixels that x and y from -1 to 1 span */
+    rsh_uint picture_height;
     rsh_uint tile_columns;
     rsh_uint tile_count;
     rsh_uint range_count;  /* ranges of triangles, each with tile lists of its own */
@@ -32,6 +36,6 @@ typedef struct screen_setup {
     rsh_uint triangle_count;
     rsh_uint padding;
 } screen_setup;
-RSH_ASSERT_SIZE(screen_setup, 160);
+RSH_ASSERT_SIZE(screen_setup, 176);
 
 #endif

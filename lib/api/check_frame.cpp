@@ -33,6 +33,20 @@ void check_camera(const rsh_camera& camera) {
     require(far == 0 || far > near, "camera.forward.w (far)", far, "0 or above near");
 }
 
+// One axis of a window of `side` pixels.
+void check_window(const char* first_field, cl_uint first, const char* picture_field,
+                  cl_uint picture, cl_uint side) {
+    require(picture == 0 || (picture >= side && picture <= kMaxSide), picture_field, picture,
+            "0 or ", side, " .. ", kMaxSide);
+    const cl_uint most = picture ? picture - side : 0;
+    require(first <= most, first_field, first, "at most ", most);
+}
+
+void check_window(const rsh_window& window, cl_uint width, cl_uint height) {
+    check_window("window.x", window.x, "window.picture_width", window.picture_width, width);
+    check_window("window.y", window.y, "window.picture_height", window.picture_height, height);
+}
+
 }  // namespace
 
 void check_shape(const rsh_rasterize_desc& desc) {
@@ -40,6 +54,7 @@ void check_shape(const rsh_rasterize_desc& desc) {
     check_camera(desc.camera);
     check_side("width", desc.width);
     check_side("height", desc.height);
+    check_window(desc.window, desc.width, desc.height);
 }
 
 void check_buffers(const Context& context, const rsh_rasterize_desc& desc) {
@@ -56,12 +71,12 @@ void check_shape(const rsh_frame_desc& desc) {
     check_camera(desc.camera);
     check_side("width", desc.width);
     check_side("height", desc.height);
+    check_window(desc.window, desc.width, desc.height);
     require(desc.bounces <= RSH_MAX_LEVELS, "bounces", desc.bounces, "at most ",
             RSH_MAX_LEVELS);
     check_min_weight(desc.min_weight);
     check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
-    check_budget(desc.budget);
     require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_BOUND_... value");
 }
 

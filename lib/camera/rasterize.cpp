@@ -40,6 +40,10 @@ cl_uint ceil_divide(cl_uint a, cl_uint b) {
 void set_tiles(screen_setup& screen, const Context& context, const rsh_rasterize_desc& desc) {
     screen.width = desc.width;
     screen.height = desc.height;
+    screen.first_x = desc.window.x;
+    screen.first_y = desc.window.y;
+    screen.picture_width = picture_side(desc.window.picture_width, desc.width);
+    screen.picture_height = picture_side(desc.window.picture_height, desc.height);
     screen.tile_columns = ceil_divide(desc.width, tile_side(context));
     screen.tile_count = screen.tile_columns * ceil_divide(desc.height, tile_side(context));
 }

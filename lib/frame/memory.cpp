@@ -4,6 +4,8 @@
 
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
+#include "device/cl/span.hpp"
+#include "frame/strips.hpp"
 #include "rays/node_shape.hpp"
 #include "traverse/engine.hpp"
 
@@ -31,7 +33,13 @@ rsh_rasterize_desc rasterize_of(const rsh_frame_desc& desc) {
     pass.camera = desc.camera;
     pass.width = desc.width;
     pass.height = desc.height;
+    pass.window = desc.window;
     return pass;
+}
+
+// Of what a frame may take, for the streams of pairs.
+size_t stream_budget(const rsh_frame_desc& desc) {
+    return desc.budget ? std::max<size_t>(desc.budget / 8, RSH_MIN_BUDGET) : 0;
 }
 
 rsh_traverse_desc traverse_of(const rsh_frame_desc& desc, cl_uint width, cl_uint height) {
@@ -43,7 +51,7 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc, cl_uint width, cl_uint
     pass.engine = desc.engine;
     pass.shape = desc.shape;
     pass.strategy = desc.strategy;
-    pass.budget = desc.budget;
+    pass.budget = stream_budget(desc);
     return pass;
 }
 
@@ -100,6 +108,12 @@ cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
 }
 
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
+    return strip_scratch(context, desc, strip_rows(context, desc));
+}
+
+Layout strip_scratch(const Context& context, const rsh_frame_desc& whole, cl_uint rows) {
+    rsh_frame_desc desc = whole;
+    desc.height = rows;
     const size_t pixels = size_t{desc.width} * desc.height;
     Layout layout(context.caps.alignment);
     layout.add_array<rsh_ray>("rays 0", pixels);
@@ -116,7 +130,21 @@ Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
 }
 
 FrameMemory::FrameMemory(Recorder& recorder, const rsh_frame_desc& desc)
-    : desc_(desc), scratch_(recorder, frame_scratch(recorder.context(), desc), desc.scratch) {}
+    : whole_(desc),
+      rows_(strip_rows(recorder.context(), desc)),
+      desc_(desc),
+      scratch_(recorder, strip_scratch(recorder.context(), desc, rows_), desc.scratch) {}
+
+bool FrameMemory::take_strip(cl_uint first_row) {
+    if (first_row >= whole_.height) return false;
+    desc_.height = std::min(rows_, whole_.height - first_row);
+    desc_.window.y = whole_.window.y + first_row;
+    desc_.window.picture_height = picture_side(whole_.window.picture_height, whole_.height);
+    desc_.window.picture_width = picture_side(whole_.window.picture_width, whole_.width);
+    const size_t row = size_t{desc_.width} * sizeof(rsh_float4);
+    colour_ = part_of(span_of(whole_.colour), row * first_row, row * desc_.height);
+    return true;
+}
 
 cl_mem FrameMemory::at(const char* name, cl_uint bounce) const {
     return scratch_[numbered(name, bounce)];

@@ -1,6 +1,6 @@
-// memory.hpp - the memory of a frame: per bounce a wave of rays, and what all waves share. The first
-// wave is the screen; each later one holds what the one before it sent on, packed, or a part of that
-// if there is no room for more. Declares buffers; pipeline.cpp says what happens in them.
+// memory.hpp - the memory of a frame, which it works off in strips (strips.hpp): per bounce a wave of
+// rays, and what all waves share. The first wave is the strip; each later one holds what the one
+// before it sent on, packed, or a part of that if there is no room for more. Declares buffers; pipeline.cpp says what happens in them.
 #pragma once
 
 #include "device/cl/scratch.hpp"
@@ -12,6 +12,8 @@ namespace rsh {
 // The strategy of all its traversals; see reduce/strategy.hpp.
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc);
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc);
+// With strips of so many rows.
+Layout strip_scratch(const Context& context, const rsh_frame_desc& desc, cl_uint rows);
 
 // Rays of a bounce: a screen, or a list of height 1.
 struct Wave {
@@ -24,9 +26,12 @@ class FrameMemory {
 public:
     FrameMemory(Recorder& recorder, const rsh_frame_desc& desc);
 
+    // The strip that begins in that row; false: there is none.
+    bool take_strip(cl_uint first_row);
+    cl_uint rows() const { return rows_; }
     Wave screen() const { return {0, desc_.width, desc_.height}; }
     // Rays that a wave after the first one may hold.
-    cl_uint most_rays() const { return desc_.width * desc_.height; }
+    cl_uint most_rays() const { return desc_.width * rows_; }
     bool traces_rays() const;
     bool casts_shadows() const;
     bool has_bounces() const;
@@ -47,7 +52,9 @@ public:
     rsh_audit_desc audit_shadow(const Wave& wave, cl_uint light) const;
 
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
-    cl_mem colour(cl_uint bounce) const { return bounce ? at("colour", bounce) : desc_.colour; }
+    cl_mem colour(cl_uint bounce) const {
+        return bounce ? at("colour", bounce) : colour_.get();
+    }
     cl_mem occlusion() const { return scratch_.find("occlusion"); }
     cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
     cl_mem active_count() const { return scratch_["active count"]; }
@@ -61,8 +68,11 @@ private:
     cl_mem weights(const Wave& wave) const;
     cl_mem bounds() const;
 
-    rsh_frame_desc desc_;
+    const rsh_frame_desc whole_;
+    const cl_uint rows_;   // of all strips but the last
+    rsh_frame_desc desc_;  // of the strip
     Scratch scratch_;
+    Buffer colour_;  // of the strip
 };
 
 }  // namespace rsh

@@ -155,7 +155,10 @@ TEST_F(Queries, AnswerAtTheLimits) {
     const size_t pixels = size_t{1} << 28;
     if (sizeof(size_t) < 8) GTEST_SKIP() << "such sizes need more than 32 bits";
     EXPECT_EQ(sizes_of(frame).output_bytes, 16 * pixels);
+    const size_t in_strips = sizes_of(frame).scratch_bytes;
+    frame.budget = size_t{1} << 45;
     EXPECT_GT(sizes_of(frame).scratch_bytes, (RSH_MAX_LEVELS + 1) * 48 * pixels);
+    EXPECT_LT(in_strips, sizes_of(frame).scratch_bytes);
     rsh_reduce_desc reduce = valid_.reduce();
     reduce.count = 1u << 31;
     reduce.element_bytes = 16;

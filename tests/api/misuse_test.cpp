@@ -362,6 +362,23 @@ TEST_F(Misuse, OfScenesAndFramesIsRefused) {
                   {"min_weight", "nan"});
     refuses<Desc>(desc, [](Desc& d) { d.engine = 9; }, RSH_INVALID_VALUE, {"engine", "9"});
     refuses<Desc>(desc, [](Desc& d) { d.budget = 1; }, RSH_INVALID_VALUE, {"budget", "1"});
+    refuses<Desc>(desc, [](Desc& d) { d.window.x = 1; }, RSH_INVALID_VALUE,
+                  {"window.x", "1", "0"});
+    refuses<Desc>(desc,
+                  [](Desc& d) {
+                      d.window = {0, 3, 8, 10};
+                  },
+                  RSH_INVALID_VALUE, {"window.y", "3", "2"});
+    refuses<Desc>(desc,
+                  [](Desc& d) {
+                      d.window = {0, 0, 7, 8};
+                  },
+                  RSH_INVALID_VALUE, {"window.picture_width", "7", "8"});
+    refuses<Desc>(desc,
+                  [](Desc& d) {
+                      d.window = {0, 0, 8, 16385};
+                  },
+                  RSH_INVALID_VALUE, {"window.picture_height", "16385", "16384"});
 }
 
 TEST_F(Misuse, OfQueriesAndContextsIsRefused) {

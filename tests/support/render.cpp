@@ -78,6 +78,7 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
     desc.mode = options.update;
     desc.audit_rays = options.audit_rays;
     desc.audit = options.audit;
+    desc.window = options.window;
     std::unique_ptr<Bytes> scratch;
     if (options.own_scratch) {
         rsh_sizes sizes = {};

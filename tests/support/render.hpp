@@ -47,6 +47,7 @@ struct FrameOptions {
     cl_uint update = 0;
     cl_uint audit_rays = 0;
     cl_mem audit = nullptr;
+    rsh_window window = {};
 };
 
 // The gallery's camera.

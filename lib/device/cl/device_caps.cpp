@@ -47,6 +47,7 @@ DeviceCaps::DeviceCaps(cl_device_id device) {
     // CL_DEVICE_MEM_BASE_ADDR_ALIGN counts bits; 64 bytes keep parts off shared cache lines.
     alignment = std::max<size_t>(64, info<cl_uint>(device, CL_DEVICE_MEM_BASE_ADDR_ALIGN) / 8);
     max_allocation = info<cl_ulong>(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
+    memory = info<cl_ulong>(device, CL_DEVICE_GLOBAL_MEM_SIZE);
     identity = identity_of(device);
 }
 

@@ -23,6 +23,7 @@ struct DeviceCaps {
     size_t group_size;        // of element-wise kernels
     size_t alignment;         // of sub-buffers, in bytes
     cl_ulong max_allocation;  // bytes of one buffer
+    cl_ulong memory;          // bytes in all
     std::string identity;     // platform, device and driver with their versions, for cache keys
 };
 

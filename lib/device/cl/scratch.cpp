@@ -11,11 +11,7 @@ Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given)
     for (size_t i = 0; i < buffers_.size(); ++i) {
         const Layout::Part& part = layout.parts()[i];
         if (part.bytes == 0) continue;
-        const cl_buffer_region region = {span.offset + part.offset, part.bytes};
-        cl_int status = CL_SUCCESS;
-        buffers_[i] = Buffer(clCreateSubBuffer(span.root, CL_MEM_READ_WRITE,
-                                               CL_BUFFER_CREATE_TYPE_REGION, &region, &status));
-        require_success(status, "clCreateSubBuffer");
+        buffers_[i] = part_of(span, part.offset, part.bytes);
     }
 }
 

@@ -1,6 +1,7 @@
 // span.hpp - where memory lies: a buffer, or a sub-buffer in its parent.
 #pragma once
 
+#include "device/error.hpp"
 #include "device/objects/handle.hpp"
 
 namespace rsh {
@@ -14,6 +15,16 @@ inline Span span_of(cl_mem memory) {
     const cl_mem parent = info<cl_mem>(memory, CL_MEM_ASSOCIATED_MEMOBJECT);
     if (!parent) return {memory, 0};
     return {parent, info<size_t>(memory, CL_MEM_OFFSET)};
+}
+
+// A part of it, as a buffer of its own.
+inline Buffer part_of(const Span& span, size_t offset, size_t bytes) {
+    const cl_buffer_region region = {span.offset + offset, bytes};
+    cl_int status = CL_SUCCESS;
+    Buffer part(clCreateSubBuffer(span.root, CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION,
+                                  &region, &status));
+    require_success(status, "clCreateSubBuffer");
+    return part;
 }
 
 }  // namespace rsh

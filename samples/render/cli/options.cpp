@@ -84,7 +84,8 @@ void add_tracing_options(CLI::App& app, Options& o) {
                    "Way to traverse; auto: what suits the device");
     app.add_option("--bound", named(rsh_shape_from_name, o.bound), "Shape of the nodes");
     app.add_option("--strategy", named(rsh_strategy_from_name, o.strategy), "Way to reduce");
-    add_size(app, "--budget", o.budget, "Bytes for the pair streams, e.g. 64M");
+    add_size(app, "--budget", o.budget,
+             "Bytes of device memory for rays and what is made of them, e.g. 1G");
     app.add_option("--device", o.device, "Part of a device's or platform's name");
     add_size(app, "--max-texture-pixels", o.max_texture_pixels,
              "Refuse textures of more pixels, e.g. 128M");
