@@ -8,6 +8,8 @@
 // one. Knows no buffer sizes: that is frame/memory.cpp.
 #include "pipeline.hpp"
 
+#include <limits>
+
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "device/cl/wrong_buffers.hpp"
@@ -15,6 +17,7 @@
 #include "frame/memory.hpp"
 #include "rays/node_shape.hpp"
 #include "shade/clear_colour.hpp"
+#include "shade/cut.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
 #include "shade/wave.hpp"
@@ -84,6 +87,15 @@ private:
             shade(recorder_, memory_.shade(wave));
         else
             shade_first(recorder_, memory_.shade(wave));
+        if (desc_.scene->cut != RSH_CUT_BLACK) add_cut_branches(wave);
+    }
+
+    // Without a weight to fall below, only the last wave has branches that are not traced.
+    void add_cut_branches(const Wave& wave) {
+        const bool is_last = wave.bounce == desc_.bounces;
+        if (branch_kinds(*desc_.scene) == 0 || (!is_last && desc_.min_weight == 0)) return;
+        add_cut(recorder_, memory_.shade(wave),
+                is_last ? std::numeric_limits<float>::infinity() : desc_.min_weight);
     }
 
     void cast_shadows(const Wave& wave) {

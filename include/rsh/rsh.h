@@ -279,6 +279,12 @@ typedef struct rsh_geometry {
 
 /* Geometry with everything that shading reads. All arrays live in device buffers, so a moving
  * mesh re-uploads its vertices (and normals) only. */
+enum {
+    RSH_CUT_BLACK = 0,      /* nothing                                                        */
+    RSH_CUT_AMBIENT = 1,    /* the ambient light                                              */
+    RSH_CUT_ENVIRONMENT = 2 /* the environment that lies that way, as if nothing were between */
+};
+
 typedef struct rsh_scene {
     size_t struct_size;
     rsh_geometry geometry;
@@ -302,6 +308,8 @@ typedef struct rsh_scene {
                                      0: none, the plain colour                             */
     rsh_features features;        /* what shading must support; 0: nothing beyond flat, local
                                      light; see rsh_find_features                          */
+    cl_uint cut;                  /* RSH_CUT_...: what rsh_frame takes a ray to see that it does
+                                     not trace, after the last bounce or below min_weight  */
 } rsh_scene;
 
 /* Fills scene->features, shadow_lights and positional_lights with what these materials and

@@ -2,6 +2,7 @@
  * why. */
 #include "reduce/scan_counts.cl"
 #include "shade/clear_colour.cl"
+#include "shade/cut.cl"
 #include "shade/shade.cl"
 #include "shade/spawn.cl"
 #include "shade/spawn_shadow.cl"

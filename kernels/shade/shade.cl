@@ -4,14 +4,11 @@
  *   colour               in/out  rgb grows, a stays; is_first: rgb only goes out
  * Mirrored and refracted light is added by shading the rays that shade/spawn.cl makes.
  */
+#include "shade/environment.h"
 #include "shade/light.h"
-#include "shade/texture.h"
 
 #ifndef RSH_TEXTURE
 #define RSH_TEXTURE 0
-#endif
-#ifndef RSH_ENVIRONMENT_IMAGE
-#define RSH_ENVIRONMENT_IMAGE 0
 #endif
 
 typedef struct light_list {
@@ -65,14 +62,6 @@ static float3 direct_light(const surface_hit* surface, const light_list* lights,
         sum += arrival.colour * sent_back(surface, arrival.direction, diffuse, specular);
     }
     return sum;
-}
-
-static float3 environment_colour(const image_list* images, uint image, float3 plain,
-                                 float3 direction)
-{
-    if (!RSH_ENVIRONMENT_IMAGE) return plain;
-    const float2 uv = direction_to_uv(unit3(direction));
-    return plain * sample_image(images, image, uv, true);
 }
 
 __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,

@@ -13,6 +13,10 @@ cl_ulong stride_of(const rsh_geometry& geometry) {
     return geometry.vertex_stride ? geometry.vertex_stride : 12;
 }
 
+void check_cut(const rsh_scene& scene) {
+    require(scene.cut <= RSH_CUT_ENVIRONMENT, "scene.cut", scene.cut, "an RSH_CUT_... value");
+}
+
 void check_images(const rsh_scene& scene) {
     require(scene.environment_texture <= scene.texture_count, "scene.environment_texture",
             scene.environment_texture, "at most scene.texture_count");
@@ -67,6 +71,7 @@ void check_shape(const rsh_scene& scene) {
     require((scene.features & ~RSH_FEATURE_ALL) == 0, "scene.features", scene.features,
             "made of RSH_FEATURE_ bits");
     check_images(scene);
+    check_cut(scene);
     check_vector("scene.ambient", scene.ambient);
     check_vector("scene.environment", scene.environment);
 }

@@ -17,12 +17,6 @@ Range items_of(const Context& context, cl_uint rays) {
     return {(items + group - 1) / group * group, group};
 }
 
-cl_uint kinds_of(const rsh_scene& scene) {
-    const bool is_reflecting = scene.features & RSH_FEATURE_REFLECTION;
-    const bool is_refracting = scene.features & RSH_FEATURE_REFRACTION;
-    return cl_uint{is_reflecting} << RSH_REFLECTED | cl_uint{is_refracting} << RSH_REFRACTED;
-}
-
 // After the arguments that both kernels begin with.
 template <class... More>
 void launch_pass(Recorder& recorder, const WavePass& pass, const char* kernel,
@@ -32,11 +26,17 @@ void launch_pass(Recorder& recorder, const WavePass& pass, const char* kernel,
                     items_of(recorder.context(), pass.part.count), mesh_view_of(scene.geometry),
                     scene.geometry.vertices, scene.geometry.indices, scene.normals,
                     scene.material_ids, scene.materials, scene.material_count, pass.part,
-                    kinds_of(scene), pass.min_weight, pass.rays, pass.hits, pass.weights,
+                    branch_kinds(scene), pass.min_weight, pass.rays, pass.hits, pass.weights,
                     pass.branches, pass.counts, more...);
 }
 
 }  // namespace
+
+cl_uint branch_kinds(const rsh_scene& scene) {
+    const bool is_reflecting = scene.features & RSH_FEATURE_REFLECTION;
+    const bool is_refracting = scene.features & RSH_FEATURE_REFRACTION;
+    return cl_uint{is_reflecting} << RSH_REFLECTED | cl_uint{is_refracting} << RSH_REFRACTED;
+}
 
 wave_part whole_wave(cl_uint width, cl_uint height) {
     const auto squares = [](cl_uint side) {

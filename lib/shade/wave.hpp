@@ -10,6 +10,9 @@
 
 namespace rsh {
 
+// Which kinds of rays hits may send on.
+cl_uint branch_kinds(const rsh_scene& scene);
+
 // All rays of a wave in screen order, or of a packed one (height 1).
 wave_part whole_wave(cl_uint width, cl_uint height);
 

@@ -349,6 +349,7 @@ TEST_F(Misuse, OfScenesAndFramesIsRefused) {
                   {"lights", "NULL"});
     refuses_scene([](rsh_scene& s) { s.features = 0x40; }, RSH_INVALID_VALUE,
                   {"features", "64"});
+    refuses_scene([](rsh_scene& s) { s.cut = 3; }, RSH_INVALID_VALUE, {"cut", "3"});
     refuses_scene([](rsh_scene& s) { s.environment_texture = 3; }, RSH_INVALID_VALUE,
                   {"environment_texture", "3"});
     refuses_scene([](rsh_scene& s) { s.normals = nullptr; }, RSH_INVALID_VALUE,

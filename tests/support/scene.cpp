@@ -204,6 +204,7 @@ DeviceScene::DeviceScene(const Scene& scene, rsh_features without) {
     desc.ambient = rgb(scene.ambient);
     desc.environment = rgb(scene.environment);
     desc.environment_texture = scene.environment_texture;
+    desc.cut = scene.cut;
     RSH_CHECK(rsh_find_features(&desc, scene.materials.data(), scene.lights.data()));
     desc.features &= ~without;
 }

@@ -25,6 +25,7 @@ struct Scene {
     Float3 ambient{0.1f, 0.1f, 0.1f};
     Float3 environment{0.2f, 0.3f, 0.5f};
     uint32_t environment_texture = 0;
+    uint32_t cut = RSH_CUT_BLACK;
 
     // Appends `part` with one material; with normals when the scene has some, flat ones if
     // null.

@@ -14,12 +14,14 @@ cl::Buffer DeviceScene::upload(const std::vector<T>& items) const {
     return buffer;
 }
 
-DeviceScene::DeviceScene(const Device& device, const World& world, rsh_features without)
+DeviceScene::DeviceScene(const Device& device, const World& world, rsh_features without,
+                         uint32_t cut)
     : device_(device) {
     scene_.struct_size = sizeof scene_;
     fill_geometry(world);
     fill_shading(world);
     find_features(world, without);
+    scene_.cut = cut;
 }
 
 void DeviceScene::fill_geometry(const World& world) {

@@ -10,7 +10,8 @@ namespace render {
 class DeviceScene {
 public:
     // `without` are features to leave out although the scene has them.
-    DeviceScene(const Device& device, const World& world, rsh_features without);
+    // `cut`: RSH_CUT_...
+    DeviceScene(const Device& device, const World& world, rsh_features without, uint32_t cut);
 
     // Uploads the vertices, normals and lights of World::moved(), and triangles that turned round.
     // Allocates nothing.

@@ -28,7 +28,7 @@ Renderer::Renderer(const Device& device, World& world, const RenderSettings& set
     : device_(device),
       world_(world),
       settings_(settings),
-      scene_(device, world, settings.without),
+      scene_(device, world, settings.without, settings.cut),
       colour_(device.buffer(size_t{16} * settings.size.x * settings.size.y)),
       frame_{settings.size.x, settings.size.y,
              std::vector<float>(size_t{4} * settings.size.x * settings.size.y)} {

@@ -56,6 +56,7 @@ struct SceneSettings {
     std::optional<glm::uvec2> size;
     std::optional<uint32_t> bounces;
     std::optional<float> min_weight;
+    std::optional<uint32_t> cut;  // RSH_CUT_...
     std::optional<int> frames;
     std::optional<Interval> time;
     std::optional<double> still;  // moment of a single picture

@@ -49,6 +49,7 @@ void merge(SceneDescription& merged, SceneDescription&& next) {
     keep_first(merged.settings.size, next.settings.size);
     keep_first(merged.settings.bounces, next.settings.bounces);
     keep_first(merged.settings.min_weight, next.settings.min_weight);
+    keep_first(merged.settings.cut, next.settings.cut);
     keep_first(merged.settings.frames, next.settings.frames);
     keep_first(merged.settings.time, next.settings.time);
     keep_first(merged.settings.still, next.settings.still);

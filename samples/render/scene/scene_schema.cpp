@@ -2,6 +2,7 @@
 #include "scene/scene_schema.hpp"
 
 #include <fmt/format.h>
+#include <rsh/rsh.h>
 
 #include "files/file_search.hpp"
 #include "scene/motion_schema.hpp"
@@ -79,8 +80,15 @@ std::vector<Light> lights(const JsonValue& value) {
     return list;
 }
 
+uint32_t cut(const JsonValue& value) {
+    const std::string name = value.one_of({"black", "ambient", "environment"});
+    return name == "black"     ? RSH_CUT_BLACK
+           : name == "ambient" ? RSH_CUT_AMBIENT
+                               : RSH_CUT_ENVIRONMENT;
+}
+
 SceneSettings settings(const JsonValue& value) {
-    value.allow_keys({"size", "bounces", "min_weight", "frames", "time", "still"});
+    value.allow_keys({"size", "bounces", "min_weight", "cut", "frames", "time", "still"});
     SceneSettings settings;
     if (auto v = value.find("size")) {
         const auto sides = v->items();
@@ -90,6 +98,7 @@ SceneSettings settings(const JsonValue& value) {
     }
     if (auto v = value.find("bounces")) settings.bounces = v->integer_in(0, RSH_MAX_LEVELS);
     if (auto v = value.find("min_weight")) settings.min_weight = v->number_in(0, 1);
+    if (auto v = value.find("cut")) settings.cut = cut(*v);
     if (auto v = value.find("frames")) settings.frames = v->integer_in(1, 1000000);
     if (auto v = value.find("still")) settings.still = v->number();
     if (auto v = value.find("time")) {

@@ -3,6 +3,7 @@
 #include "scene/scene_file.hpp"
 
 #include <gtest/gtest.h>
+#include <rsh/rsh.h>
 
 #include <cmath>
 #include <string>
@@ -43,7 +44,7 @@ TEST(SceneFile, ReadsEveryKindOfObject) {
         "ambient": 0.25,
         "environment": {"colour": [0, 0.5, 1]},
         "settings": {"size": [64, 48], "bounces": 3, "min_weight": 0.01, "frames": 5,
-                     "time": [1, 2]}})",
+                     "cut": "environment", "time": [1, 2]}})",
                                                                "scene.json");
     ASSERT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.meshes[0].room.triangles, 5000);
@@ -58,6 +59,7 @@ TEST(SceneFile, ReadsEveryKindOfObject) {
     EXPECT_EQ(scene.lights->at(0).direction, glm::vec3(0, -3, 0));
     EXPECT_FALSE(scene.lights->at(0).casts_shadow);
     EXPECT_EQ(*scene.ambient, glm::vec3(0.25f));
+    EXPECT_EQ(*scene.settings.cut, uint32_t{RSH_CUT_ENVIRONMENT});
     EXPECT_EQ(scene.environment->colour, glm::vec3(0, 0.5f, 1));
     EXPECT_EQ(*scene.settings.size, glm::uvec2(64, 48));
     EXPECT_EQ(scene.settings.time->end, 2.0);
