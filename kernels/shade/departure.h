@@ -150,13 +150,6 @@ static float3 rounded_to_side(twofold3 point, float3 side, float3 direction)
                     i & 4 ? next.z : place.high.z);
 }
 
-/* The float that is farther to the side on each axis: within an ulp, and quicker, for rays that
- * no other one follows. */
-static float3 rounded_up(twofold3 point, float3 side)
-{
-    return select(point.high, next_floats(point.high, side), point.low * side > 0.0f);
-}
-
 /* Where a ray may start, before it is rounded. side: the geometric normal, towards the side that
  * the ray leaves to. is_skipped: the ray will not hit the triangle. */
 static twofold3 leave_surface(const surface_hit* surface, const departure* from, float3 side,

@@ -4,6 +4,7 @@
  *   colour               in/out  rgb grows, a stays; is_first: rgb only goes out
  * Mirrored and refracted light is added by shading the rays that shade/spawn.cl makes.
  */
+#include "lanes/stride.h"
 #include "shade/environment.h"
 #include "shade/light.h"
 
@@ -14,8 +15,15 @@
 typedef struct light_list {
     __global const rsh_light* lights;
     uint count;
-    uint hidden; /* bit k: light k */
+    uintv hidden; /* bit k: light k */
 } light_list;
+
+/* Of the materials of a block: what is lit. */
+typedef struct material_lanes {
+    float3v emission, ambient, diffuse, specular;
+    floatv shininess;
+    intv is_shiny;
+} material_lanes;
 
 static float3 texture_colour(const surface_buffers* buffers, const image_list* images,
                              __global const float* texcoords, rsh_hit hit, uint texture)
@@ -30,38 +38,116 @@ static float3 texture_colour(const surface_buffers* buffers, const image_list* i
     return sample_image(images, texture, uv, false);
 }
 
-/* cosine^exponent, of 0 .. 1 and 0 or more. With log2 and exp2 within 3 ulp, as OpenCL asks, it errs
- * by 2^-20 of itself where it is bright, by 2^-17 where it is 2^-20. Half of shading's time went into
- * PoCL's pow, which is good to some ulp for any operands. */
-static float power(float cosine, float exponent)
+/* The materials, with their textures, of the lanes in `bits`. */
+static void load_materials(const surface_buffers* buffers, const image_list* images,
+                           __global const float* texcoords,
+                           __global const rsh_material* materials, const ray_lanes* block,
+                           const surface_lanes* surface, uint bits, material_lanes* lit)
 {
-    return exponent > 0.0f ? exp2(exponent * log2(cosine)) : 1.0f;
+    float row[13][RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
+    store_lanes(block->u, u);
+    store_lanes(block->v, v);
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        float3 emission = (float3)(0.0f), ambient = emission, diffuse = emission;
+        float4 specular = (float4)(0.0f);
+        if (bits >> k & 1) {
+            __global const rsh_material* material = materials + surface->material[k];
+            const rsh_hit hit = {0.0f, u[k], v[k], block->primitive[k]};
+            const float3 texture =
+                texture_colour(buffers, images, texcoords, hit, material->texture);
+            emission = material->emission.xyz;
+            ambient = material->ambient.xyz * texture;
+            diffuse = material->diffuse.xyz * texture;
+            specular = material->specular;
+        }
+        put_in_lane(emission, k, row);
+        put_in_lane(ambient, k, row + 3);
+        put_in_lane(diffuse, k, row + 6);
+        put_in_lane(specular.xyz, k, row + 9);
+        row[12][k] = fmax(specular.w, 0.0f);
+    }
+    lit->emission = load_v(row);
+    lit->ambient = load_v(row + 3);
+    lit->diffuse = load_v(row + 6);
+    lit->specular = load_v(row + 9);
+    lit->shininess = load_lanes(row[12]);
+    lit->is_shiny = largest_v(fabs_v(lit->specular)) > (floatv)(0.0f);
+}
+
+/* cosine^exponent, of 0 .. 1 and 0 or more. With log2 and exp2 within 3 ulp, as OpenCL asks, it errs
+ * by 2^-20 of itself where it is bright, by 2^-17 where it is 2^-20. PoCL's pow, which is good to some
+ * ulp for any operands, took half of shading's time. */
+static floatv power(floatv cosine, floatv exponent)
+{
+    return select((floatv)(1.0f), exp2(exponent * log2(cosine)), exponent > (floatv)(0.0f));
 }
 
 /* Blinn 1977: the highlight is where the normal lies halfway between light and viewer. */
-static float3 sent_back(const surface_hit* surface, float3 to_light, float3 diffuse,
-                        float4 specular)
+static float3v sent_back(const surface_lanes* surface, float3v to_light,
+                         const material_lanes* lit, uint bits)
 {
-    float3 share = diffuse * dot3(surface->normal, to_light);
-    if (largest3(fabs(specular.xyz)) > 0.0f) {
-        const float3 halfway = unit3(to_light - surface->incident);
-        const float cosine = fmin(fmax(dot3(surface->normal, halfway), 0.0f), 1.0f);
-        share += specular.xyz * power(cosine, specular.w);
-    }
-    return share;
+    const float3v share = scaled_v(dot_v(surface->normal, to_light), lit->diffuse);
+    bits &= RSH_LANE_BITS(lit->is_shiny);
+    if (bits == 0) return share;
+    const float3v halfway = unit_v(minus_v(to_light, surface->incident));
+    const floatv cosine =
+        fmin(fmax(dot_v(surface->normal, halfway), (floatv)(0.0f)), (floatv)(1.0f));
+    const floatv highlight = power(cosine, lit->shininess);
+    return select_v(share, sum_v(share, scaled_v(highlight, lit->specular)), lit->is_shiny);
 }
 
-static float3 direct_light(const surface_hit* surface, const light_list* lights, float3 diffuse,
-                           float4 specular)
+static float3v direct_light(const surface_lanes* surface, const light_list* lights,
+                            const material_lanes* lit, uint bits)
 {
-    float3 sum = (float3)(0.0f);
+    float3v sum = lanes_of((float3)(0.0f));
     for (uint k = 0; k < lights->count; ++k) {
         light_arrival arrival;
-        if (lights->hidden >> k & 1) continue;
-        if (!light_arrives(lights->lights[k], surface, &arrival)) continue;
-        sum += arrival.colour * sent_back(surface, arrival.direction, diffuse, specular);
+        const intv is_open = ((lights->hidden >> k) & 1u) == (uintv)(0u);
+        const intv arrives = is_open & light_arrives(lights->lights[k], surface, &arrival);
+        const uint lanes = bits & RSH_LANE_BITS(arrives);
+        if (lanes == 0) continue;
+        const float3v back = sent_back(surface, arrival.direction, lit, lanes);
+        sum = select_v(sum, sum_v(sum, product_v(arrival.colour, back)), arrives);
     }
     return sum;
+}
+
+/* What the lanes without a surface see. */
+static void see_environment(const image_list* images, uint image, float3 plain,
+                            const ray_lanes* block, uint bits, float (*seen)[RSH_WIDTH])
+{
+    float row[3][RSH_WIDTH];
+    if (RSH_ENVIRONMENT_IMAGE && bits) store_v(block->direction, row);
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        if (!(bits >> k & 1)) continue;
+        float3 direction = (float3)(0.0f);
+        if (RSH_ENVIRONMENT_IMAGE) direction = (float3)(row[0][k], row[1][k], row[2][k]);
+        put_in_lane(environment_colour(images, image, plain, direction), k, seen);
+    }
+}
+
+/* Adds what the lanes in `bits` see; the rest of the block becomes black if it is the first. */
+static void add_colours(const uint* index, uint bits, __global const float4* weights,
+                        float (*seen)[RSH_WIDTH], bool is_first, __global float4* colour)
+{
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        const uint i = index[k];
+        const bool is_seen = bits >> k & 1;
+        if (i == RSH_NO_RAY || !(is_seen || is_first)) continue;
+        float4 sum = colour[i];
+        if (is_first) sum.xyz = (float3)(0.0f);
+        const float3 weight = is_seen && weights ? weights[i].xyz : (float3)(1.0f);
+        if (is_seen) sum.xyz += weight * (float3)(seen[0][k], seen[1][k], seen[2][k]);
+        colour[i] = sum;
+    }
+}
+
+static uintv hidden_lights(__global const uint* occlusion, const uint* index, uint bits)
+{
+    uint hidden[RSH_WIDTH];
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        hidden[k] = occlusion && bits >> k & 1 ? occlusion[index[k]] : 0;
+    return load_lanes(hidden);
 }
 
 __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
@@ -75,28 +161,32 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                         __global const rsh_hit* hits, __global const float4* weights,
                         __global const uint* occlusion, uint is_first, __global float4* colour)
 {
-    const uint i = get_global_id(0);
-    if (i >= ray_count) return;
-    if (is_first) colour[i].xyz = (float3)(0.0f);
-    if (!is_active(rays[i])) return;
-    const float3 weight = weights ? weights[i].xyz : (float3)(1.0f);
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
     const image_list images = {textures, texture_count, texels};
-    const rsh_hit hit = hits[i];
-
-    surface_hit surface;
-    float3 seen;
-    if (find_surface(&buffers, rays[i], hit, &surface)) {
-        const rsh_material material = materials[surface.material];
-        const light_list near = {lights, light_count, occlusion ? occlusion[i] : 0};
-        const float3 texture =
-            texture_colour(&buffers, &images, texcoords, hit, material.texture);
-        seen = material.emission.xyz + material.ambient.xyz * texture * ambient.xyz +
-               direct_light(&surface, &near, material.diffuse.xyz * texture, material.specular);
-    } else {
-        seen = environment_colour(&images, environment_image, environment.xyz,
-                                  rays[i].direction_tmax.xyz);
+    const float3v given_ambient = lanes_of(ambient.xyz);
+    const strided_range mine = my_elements(ray_count);
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
+        uint index[RSH_WIDTH];
+        ray_lanes block;
+        surface_lanes surface;
+        float seen[3][RSH_WIDTH];
+        number_lanes(i, mine.end, index);
+        load_rays(index, rays, hits, &block);
+        const uint bits = RSH_LANE_BITS(block.is_active);
+        const uint found = bits ? find_surfaces(&buffers, &block, bits, &surface) : 0;
+        if (found) {
+            const light_list near = {lights, light_count,
+                                     hidden_lights(occlusion, index, found)};
+            material_lanes lit;
+            load_materials(&buffers, &images, texcoords, materials, &block, &surface, found,
+                           &lit);
+            store_v(sum_v(sum_v(lit.emission, product_v(lit.ambient, given_ambient)),
+                          direct_light(&surface, &near, &lit, found)),
+                    seen);
+        }
+        see_environment(&images, environment_image, environment.xyz, &block, bits & ~found,
+                        seen);
+        add_colours(index, bits, weights, seen, is_first, colour);
     }
-    colour[i].xyz += weight * seen;
 }

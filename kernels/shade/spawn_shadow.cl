@@ -5,7 +5,7 @@
  *   active_count  in/out  grows by the active rays; may be NULL
  */
 #include "lanes/stride.h"
-#include "shade/departure.h"
+#include "shade/lanes/departure.h"
 #include "shade/light.h"
 #include "shade/spawned_ray.h"
 
@@ -20,21 +20,64 @@ static bool is_lit(__global const rsh_material* material)
            largest3(fabs(material->specular.xyz)) > 0.0f;
 }
 
-/* False also for a light closer to the surface than the origin's offset. */
-static bool shadow_ray(rsh_light light, const surface_hit* surface, rsh_ray seen, rsh_hit hit,
-                       bool is_skipped, rsh_ray* ray)
+/* What a block of hits sends towards a light. */
+typedef struct shadow_rays {
+    float3v origin, direction;
+    float tmax;
+} shadow_rays;
+
+/* Those of the lanes in `bits` that send a ray, a bit each. None goes to a light closer to the
+ * surface than the origin's offset. */
+static uint find_shadow_rays(rsh_light light, const surface_lanes* surface,
+                             const ray_lanes* block, uint bits, bool is_skipped,
+                             shadow_rays* made)
 {
     light_arrival arrival;
-    if (!light.casts_shadow || !light_arrives(light, surface, &arrival)) return false;
-    const departure from = departure_of(surface, seen, hit);
-    const float3 side = surface->geometric;
-    const float3 origin = rounded_up(leave_surface(surface, &from, side, is_skipped), side);
-    if (is_positional(light))
-        *ray = ray_from(origin, light.position.xyz - origin, RSH_BEFORE_LIGHT);
-    else
-        *ray = ray_from(origin, arrival.direction, INFINITY);
-    return is_active(*ray) &&
-           dot3(surface->geometric, unit3(ray->direction_tmax.xyz)) > RSH_GRAZING;
+    bits &= RSH_LANE_BITS(light_arrives(light, surface, &arrival));
+    if (bits == 0) return 0;
+    const departure_lanes from = departures_of(surface, block);
+    made->origin = rounded_starts(surface, &from, surface->geometric, is_skipped);
+    made->direction = arrival.direction;
+    made->tmax = INFINITY;
+    if (is_positional(light)) {
+        made->direction = minus_v(lanes_of(light.position.xyz), made->origin);
+        made->tmax = RSH_BEFORE_LIGHT;
+    }
+    const floatv zero = (floatv)(0.0f);
+    const intv is_made =
+        active_v(made->origin, made->direction, zero, (floatv)(made->tmax)) &
+        (dot_v(surface->geometric, unit_v(made->direction)) > (floatv)(RSH_GRAZING));
+    return bits & RSH_LANE_BITS(is_made);
+}
+
+static uint lit_lanes(__global const rsh_material* materials, const surface_lanes* surface,
+                      uint bits)
+{
+    uint lit = 0;
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        if (bits >> k & 1) lit |= (uint)is_lit(materials + surface->material[k]) << k;
+    return lit;
+}
+
+static void store_shadow_rays(const shadow_rays* made, uint bits, const uint* index,
+                              const uint* primitive, __global rsh_ray* rays,
+                              __global uint* skip)
+{
+    float row[6][RSH_WIDTH];
+    if (bits) {
+        store_v(made->origin, row);
+        store_v(made->direction, row + 3);
+    }
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        if (index[k] == RSH_NO_RAY) continue;
+        const bool is_made = bits >> k & 1;
+        rsh_ray ray = inactive_ray();
+        if (is_made)
+            ray = ray_from((float3)(row[0][k], row[1][k], row[2][k]),
+                           (float3)(row[3][k], row[4][k], row[5][k]), made->tmax);
+        rays[index[k]] = ray;
+        if (skip) skip[index[k]] = is_made ? primitive[k] : RSH_NO_HIT;
+    }
 }
 
 __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
@@ -51,17 +94,23 @@ __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
     const rsh_light source = lights[light];
     const strided_range mine = my_elements(ray_count);
     uint active = 0;
-    for (uint i = mine.begin; i < mine.end; i += mine.step) {
-        rsh_ray ray;
-        surface_hit surface;
-        if (find_surface(&buffers, rays[i], hits[i], &surface) &&
-            is_lit(materials + surface.material) &&
-            shadow_ray(source, &surface, rays[i], hits[i], spawned_skip != 0, &ray))
-            ++active;
-        else
-            ray = inactive_ray();
-        spawned_rays[i] = ray;
-        store_skip(spawned_skip, i, ray, hits[i]);
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
+        uint index[RSH_WIDTH];
+        ray_lanes block;
+        surface_lanes surface;
+        shadow_rays made;
+        uint bits = 0;
+        number_lanes(i, mine.end, index);
+        if (source.casts_shadow) bits = lanes_with_hit(index, hits, mesh.triangle_count);
+        if (bits) {
+            load_rays(index, rays, hits, &block);
+            bits = find_surfaces(&buffers, &block, bits, &surface);
+            bits = lit_lanes(materials, &surface, bits);
+        }
+        if (bits)
+            bits = find_shadow_rays(source, &surface, &block, bits, spawned_skip != 0, &made);
+        store_shadow_rays(&made, bits, index, block.primitive, spawned_rays, spawned_skip);
+        active += popcount(bits);
     }
     add_active(active_count, active);
 }

@@ -6,16 +6,21 @@
 namespace rsh {
 namespace {
 
+// A work-item shades sixteen rays at once where it has vectors for them, and one ray elsewhere.
+size_t items_for(Recorder& recorder, size_t rays) {
+    return recorder.context().vector_width > 1 ? (rays + 15) / 16 : rays;
+}
+
 void shade(Recorder& recorder, const rsh_shade_desc& desc, bool is_first) {
     const rsh_scene& scene = *desc.scene;
-    recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
-                    recorder.range(desc.ray_count), mesh_view_of(scene.geometry),
-                    scene.geometry.vertices, scene.geometry.indices, scene.normals,
-                    scene.texcoords, scene.material_ids, scene.materials, scene.material_count,
-                    scene.lights, scene.light_count, scene.textures, scene.texture_count,
-                    scene.texels, scene.ambient, scene.environment,
-                    scene.environment_texture - 1u, desc.ray_count, desc.rays, desc.hits,
-                    desc.weights, desc.occlusion, cl_uint{is_first}, desc.colour);
+    recorder.launch(
+        RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
+        recorder.range(items_for(recorder, desc.ray_count)), mesh_view_of(scene.geometry),
+        scene.geometry.vertices, scene.geometry.indices, scene.normals, scene.texcoords,
+        scene.material_ids, scene.materials, scene.material_count, scene.lights,
+        scene.light_count, scene.textures, scene.texture_count, scene.texels, scene.ambient,
+        scene.environment, scene.environment_texture - 1u, desc.ray_count, desc.rays, desc.hits,
+        desc.weights, desc.occlusion, cl_uint{is_first}, desc.colour);
 }
 
 }  // namespace
