@@ -211,6 +211,20 @@ TEST_F(RshRender, DrawsTheSamePictureByTheEngineThatSuitsTheDevice) {
     EXPECT_EQ(picture_of("--engine tiles", gpu, "tiles"), expected);
 }
 
+// As tests/support/layers/counts.cpp counts.
+TEST_F(RshRender, ReleasesAllThatItMade) {
+    const Ended ended = run(
+        scene() + " --out " + path("a.png"),
+        "env OPENCL_LAYERS='" RSH_COUNTS_LAYER "' RSH_COUNTS='" + path("counts.json") + "'");
+    EXPECT_EQ(ended.status, 0) << ended.printed;
+    const std::string counts = content(path("counts.json"));
+    EXPECT_EQ(counts.find("\"launches\": 0,"), std::string::npos) << counts;
+    for (const char* objects : {"bytes", "buffers", "sub_buffers", "programs", "kernels",
+                                "contexts", "queues", "events"})
+        EXPECT_NE(counts.find("\"" + std::string(objects) + "_alive\": 0"), std::string::npos)
+            << objects << " are left: " << counts;
+}
+
 TEST_F(RshRender, EndsBySignalsWhileItMeasuresAndChecks) {
     const std::string file =
         folder_.write("big.json", R"({"meshes": [{"generator": "room", "triangles": 20000}]})");

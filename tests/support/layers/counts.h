@@ -1,0 +1,29 @@
+/* counts.h - what the layer of counts.cpp has counted of a process's OpenCL calls. In the process
+ * dlsym finds rsh_read_counts in the layer; from outside, the file that RSH_COUNTS names has the
+ * same words as JSON, written when the process ends. */
+#ifndef RSH_LAYERS_COUNTS_H
+#define RSH_LAYERS_COUNTS_H
+#include <stddef.h>
+
+#define RSH_COUNTS(WORD)                                                                     \
+    WORD(buffers)                                                                            \
+    WORD(sub_buffers) /* made */                                                             \
+    WORD(compiles)                                                                           \
+    WORD(binary_builds) /* builds, compilations and links; all of binaries */                \
+    WORD(kernels)       /* made */                                                           \
+    WORD(waits) /* of the host: finish, wait for events, blocking reads, writes, maps */     \
+    WORD(launches)                                                                           \
+    WORD(fills) WORD(copies)               /* enqueued; reads and writes are copies */       \
+        WORD(bytes_alive) WORD(bytes_peak) /* of buffers */                                  \
+        WORD(buffers_alive) WORD(sub_buffers_alive) WORD(programs_alive) WORD(kernels_alive) \
+            WORD(contexts_alive) WORD(queues_alive) WORD(events_alive)
+
+struct rsh_counts {
+#define RSH_MEMBER(name) size_t name;
+    RSH_COUNTS(RSH_MEMBER)
+#undef RSH_MEMBER
+};
+
+typedef void (*rsh_read_counts_function)(struct rsh_counts* counts);
+
+#endif

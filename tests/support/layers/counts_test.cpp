@@ -1,0 +1,192 @@
+// counts_test.cpp - what rsh asks OpenCL for, as the layer of counts.cpp counts it from outside.
+// Fails without the layer.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "api/valid_calls.hpp"
+#include "support/layers/counts.h"
+
+namespace {
+
+using test::device;
+
+rsh_counts counts_now() {
+    void* const library = dlopen(RSH_COUNTS_LAYER, RTLD_NOW | RTLD_NOLOAD);
+    void* const found = library ? dlsym(library, "rsh_read_counts") : nullptr;
+    if (!found)
+        throw std::runtime_error("the loader has not taken OPENCL_LAYERS " RSH_COUNTS_LAYER);
+    rsh_read_counts_function read = nullptr;
+    std::memcpy(&read, &found, sizeof read);
+    rsh_counts counts = {};
+    read(&counts);
+    return counts;
+}
+
+// Counted since it was made. What is alive may be less than then: the difference wraps.
+class Since {
+public:
+    rsh_counts now() const {
+        rsh_counts counts = counts_now();
+#define RSH_SUBTRACT(name) counts.name -= begin_.name;
+        RSH_COUNTS(RSH_SUBTRACT)
+#undef RSH_SUBTRACT
+        return counts;
+    }
+
+private:
+    rsh_counts begin_ = counts_now();
+};
+
+void expect_nothing_made(const rsh_counts& counts) {
+    EXPECT_EQ(counts.buffers, 0u);
+    EXPECT_EQ(counts.compiles, 0u);
+    EXPECT_EQ(counts.binary_builds, 0u);
+    EXPECT_EQ(counts.kernels, 0u);
+}
+
+void expect_nothing_kept(const rsh_counts& counts) {
+    EXPECT_EQ(counts.bytes_alive, 0u);
+    EXPECT_EQ(counts.buffers_alive, 0u);
+    EXPECT_EQ(counts.sub_buffers_alive, 0u);
+    EXPECT_EQ(counts.programs_alive, 0u);
+    EXPECT_EQ(counts.kernels_alive, 0u);
+    EXPECT_EQ(counts.contexts_alive, 0u);
+    EXPECT_EQ(counts.queues_alive, 0u);
+    EXPECT_EQ(counts.events_alive, 0u);
+}
+
+int count_wave(cl_uint, cl_uint, void* waves) {
+    ++*static_cast<cl_uint*>(waves);
+    return 0;
+}
+
+// The gallery, which has mirror, glass and shadow, on a context of its own.
+struct Gallery {
+    const test::Scene host = test::gallery();
+    const test::DeviceScene scene{host};
+    const test::Buffer<cl_float4> colour{32 * 24};
+    const test::OwnContext context;
+    cl_uint waves = 0;
+    rsh_frame_desc desc = {};
+
+    Gallery(cl_uint engine, cl_uint bounces) {
+        desc.struct_size = sizeof desc;
+        desc.scene = &scene.desc;
+        desc.camera = test::gallery_camera(32, 24);
+        desc.width = 32;
+        desc.height = 24;
+        desc.bounces = bounces;
+        desc.engine = engine;
+        desc.colour = colour.get();
+        desc.progress = count_wave;
+        desc.progress_user = &waves;
+    }
+
+    size_t scratch_bytes() const {
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        RSH_CHECK(rsh_frame_query(context.get(), &desc, &sizes));
+        return sizes.scratch_bytes;
+    }
+
+    rsh_counts render() {
+        waves = 0;
+        const Since begin;
+        RSH_CHECK(rsh_frame(context.get(), device().queue(), &desc, 0, nullptr, nullptr));
+        const rsh_counts counts = begin.now();
+        device().queue.finish();
+        return counts;
+    }
+};
+
+class Counts : public ::testing::TestWithParam<cl_uint> {};
+
+TEST_P(Counts, MakeNothingAfterTheFirstFrame) {
+    Gallery gallery(GetParam(), 2);
+    const rsh_counts first = gallery.render();
+    EXPECT_GT(first.buffers, 0u);
+    EXPECT_GT(first.launches, 0u);
+    for (int frame = 0; frame < 2; ++frame) expect_nothing_made(gallery.render());
+}
+
+TEST_P(Counts, MakeNothingWhileBoundsAreRefitted) {
+    Gallery gallery(GetParam(), 1);
+    rsh_bound_desc bound = {};
+    bound.struct_size = sizeof bound;
+    bound.geometry = gallery.scene.desc.geometry;
+    bound.shape = rsh_engine_shape(GetParam());
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    RSH_CHECK(rsh_bound_query(gallery.context.get(), &bound, &sizes));
+    const test::Buffer<uint8_t> bounds(sizes.output_bytes);
+    gallery.desc.bounds = bounds.get();
+    gallery.desc.mode = RSH_BOUND_QUALITY;
+    gallery.render();
+    gallery.desc.mode = RSH_BOUND_REFIT;
+    gallery.render();
+    for (const float height : {0.1f, 0.2f}) {
+        test::Scene moved = gallery.host;
+        for (auto& position : moved.mesh.vertices) position.y += height;
+        const test::DeviceScene scene(moved);
+        gallery.desc.scene = &scene.desc;
+        expect_nothing_made(gallery.render());
+    }
+}
+
+TEST_P(Counts, KeepTheBytesOfTheQueryAlone) {
+    Gallery gallery(GetParam(), 2);
+    const size_t bytes = gallery.scratch_bytes();
+    const Since begin;
+    const cl::Buffer scratch(device().context, CL_MEM_READ_WRITE, bytes);
+    gallery.desc.scratch = scratch();
+    gallery.render();
+    EXPECT_EQ(begin.now().bytes_alive, bytes);
+    EXPECT_EQ(begin.now().buffers, 1u);
+}
+
+TEST_P(Counts, ReleaseAllThatAFrameMade) {
+    device();
+    const Since begin;
+    { Gallery(GetParam(), 2).render(); }
+    EXPECT_GT(begin.now().kernels, 0u);
+    expect_nothing_kept(begin.now());
+}
+
+TEST_P(Counts, WaitOncePerSecondaryWaveAtMost) {
+    size_t launches[4] = {};
+    for (cl_uint bounces = 0; bounces < 4; ++bounces) {
+        Gallery gallery(GetParam(), bounces);
+        gallery.render();
+        const rsh_counts counts = gallery.render();
+        const size_t most_waves = (2u << bounces) - 2;  // of a tree with two kinds of children
+        EXPECT_LE(counts.waits, most_waves + 1) << bounces << " bounces";
+        launches[bounces] = counts.launches;
+        const size_t per_wave = launches[bounces > 0] - launches[0];
+        EXPECT_LE(counts.launches, launches[0] + per_wave * (gallery.waves - 1))
+            << bounces << " bounces, " << gallery.waves << " waves";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Counts, ::testing::Range(cl_uint{1}, cl_uint{5}));
+
+TEST(Counts, NoWaitInCallsThatOnlyEnqueue) {
+    const test::ValidCalls valid;
+    const rsh_reduce_desc reduce = valid.reduce();
+    const rsh_build_desc build = valid.build();
+    const rsh_traverse_desc traverse = valid.traverse();
+    for (int round = 0; round < 2; ++round) {  // the first one compiles
+        const Since begin;
+        const rsh_context context = device().rsh;
+        RSH_CHECK(rsh_reduce(context, device().queue(), &reduce, 0, nullptr, nullptr));
+        RSH_CHECK(rsh_build(context, device().queue(), &build, 0, nullptr, nullptr));
+        RSH_CHECK(rsh_traverse(context, device().queue(), &traverse, 0, nullptr, nullptr));
+        EXPECT_EQ(begin.now().waits, 0u);
+        EXPECT_GT(begin.now().launches, 2u);
+        device().queue.finish();
+        EXPECT_EQ(begin.now().waits, 1u) << "the layer does not count clFinish";
+    }
+}
+
+}  // namespace
