@@ -189,4 +189,30 @@ TEST(Counts, NoWaitInCallsThatOnlyEnqueue) {
     }
 }
 
+TEST(Counts, TellBuildsOfBinariesFromThoseOfSources) {
+    const test::Device& device = test::device();
+    const Since begin;
+    cl::Program source(device.context, "kernel void one(global int* p) { *p = 1; }");
+    source.build();
+    EXPECT_EQ(begin.now().compiles, 1u);
+    EXPECT_EQ(begin.now().binary_builds, 0u);
+    cl::Program binary(device.context, {device.device}, source.getInfo<CL_PROGRAM_BINARIES>());
+    binary.build();
+    EXPECT_EQ(begin.now().compiles, 1u);
+    EXPECT_EQ(begin.now().binary_builds, 1u);
+}
+
+TEST(Counts, HoldABufferWhileASubBufferOfItIsAlive) {
+    const Since begin;
+    cl::Buffer whole(device().context, CL_MEM_READ_WRITE, 4096);
+    cl_buffer_region region = {0, 1024};
+    cl::Buffer part =
+        whole.createSubBuffer(CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION, &region);
+    EXPECT_EQ(begin.now().sub_buffers, 1u);
+    whole = cl::Buffer();
+    EXPECT_EQ(begin.now().bytes_alive, 4096u);
+    part = cl::Buffer();
+    expect_nothing_kept(begin.now());
+}
+
 }  // namespace
