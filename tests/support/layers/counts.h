@@ -14,8 +14,9 @@
     WORD(waits) /* of the host: finish, wait for events, blocking reads, writes, maps */     \
     WORD(launches)                                                                           \
     WORD(fills)                                                                              \
-    WORD(copies)                           /* enqueued; reads and writes are copies */       \
-        WORD(bytes_alive) WORD(bytes_peak) /* of buffers */                                  \
+    WORD(copies) /* enqueued; reads and writes are copies */                                 \
+    WORD(bytes_alive)                                                                        \
+    WORD(bytes_peak) /* of buffers */                                                        \
         WORD(buffers_alive) WORD(sub_buffers_alive) WORD(programs_alive) WORD(kernels_alive) \
             WORD(contexts_alive) WORD(queues_alive) WORD(events_alive)
 
