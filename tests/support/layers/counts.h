@@ -5,20 +5,25 @@
 #define RSH_LAYERS_COUNTS_H
 #include <stddef.h>
 
-#define RSH_COUNTS(WORD)                                                                     \
-    WORD(buffers)                                                                            \
-    WORD(sub_buffers) /* made */                                                             \
-    WORD(compiles)                                                                           \
-    WORD(binary_builds) /* builds, compilations and links; all of binaries */                \
-    WORD(kernels)       /* made */                                                           \
-    WORD(waits) /* of the host: finish, wait for events, blocking reads, writes, maps */     \
-    WORD(launches)                                                                           \
-    WORD(fills)                                                                              \
-    WORD(copies) /* enqueued; reads and writes are copies */                                 \
-    WORD(bytes_alive)                                                                        \
-    WORD(bytes_peak) /* of buffers */                                                        \
-        WORD(buffers_alive) WORD(sub_buffers_alive) WORD(programs_alive) WORD(kernels_alive) \
-            WORD(contexts_alive) WORD(queues_alive) WORD(events_alive)
+/* Made: buffers, sub-buffers, kernels. compiles: builds, compilations and links; binary_builds: all of
+ * binaries. waits of the host: finish, wait for events, blocking reads, writes and maps. copies:
+ * enqueued, reads and writes, too. bytes: of buffers. */
+#define RSH_COUNTS(WORD)    \
+    WORD(buffers)           \
+    WORD(sub_buffers)       \
+    WORD(compiles)          \
+    WORD(binary_builds)     \
+    WORD(kernels)           \
+    WORD(waits)             \
+    WORD(launches)          \
+    WORD(fills)             \
+    WORD(copies)            \
+    WORD(bytes_alive)       \
+    WORD(bytes_peak)        \
+    WORD(buffers_alive)     \
+    WORD(sub_buffers_alive) \
+    WORD(programs_alive)    \
+    WORD(kernels_alive) WORD(contexts_alive) WORD(queues_alive) WORD(events_alive)
 
 struct rsh_counts {
 #define RSH_MEMBER(name) size_t name;
