@@ -55,7 +55,8 @@ rsh_traverse_desc traverse_of(const rsh_frame_desc& desc, cl_uint width, cl_uint
     return pass;
 }
 
-// What traversals of up to that many rays need, in a screen or in a list.
+// What traversals of up to that many rays need, in a screen or in a list. A last strip of one row is
+// a list as well.
 void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
     const NodeShape& shape = find_shape(desc.shape);
     const Engine& engine = find_engine(desc.engine);
@@ -69,7 +70,7 @@ void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc&
             std::max(traverse, engine.scratch(context, pass, BoundsFrom::caller).bytes());
     };
     reserve(desc.width, desc.height);
-    if (needs_bounces(desc)) reserve(desc.width * desc.height, 1);
+    reserve(needs_bounces(desc) ? desc.width * desc.height : desc.width, 1);
     layout.add("nodes", nodes);
     layout.add("build scratch", build);
     layout.add("traverse", traverse);

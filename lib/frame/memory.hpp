@@ -1,6 +1,7 @@
 // memory.hpp - the memory of a frame, which it works off in strips (strips.hpp): per bounce a wave of
 // rays, and what all waves share. The first wave is the strip; each later one holds what the one
-// before it sent on, packed, or a part of that if there is no room for more. Declares buffers; pipeline.cpp says what happens in them.
+// before it sent on, packed, or a part of that if there is no room for more. Declares buffers;
+// pipeline.cpp says what happens in them.
 #pragma once
 
 #include "device/cl/scratch.hpp"

@@ -297,6 +297,23 @@ TEST(Frame, GivesTheSameBytesInStrips) {
     }
 }
 
+TEST(Frame, GivesTheSameBytesWhereTheLastStripIsARow) {
+    const test::DeviceScene scene(test::gallery());
+    FrameOptions options;
+    options.width = test::small() ? 5 : 61;
+    options.height = 129;
+    for (const test::TraceOptions& way : test::all_ways()) {
+        SCOPED_TRACE(name_of(way));
+        options.engine = way.engine;
+        options.budget = 0;
+        options.own_scratch = false;
+        const auto whole = test::frame(scene, options);
+        options.budget = least_budget(scene, options);
+        options.own_scratch = true;
+        EXPECT_TRUE(test::same_bits(test::frame(scene, options), whole, "pixels"));
+    }
+}
+
 TEST(Frame, GivesAWindowTheBitsOfThePicture) {
     const test::DeviceScene scene(test::gallery());
     const FrameOptions whole = sized(83, 71, 2);

@@ -1,7 +1,7 @@
-// counts.cpp - a layer that counts what a program asks OpenCL for: counts.h. An object is alive
+// counts.cpp - a layer that counts what a program asks OpenCL for: counts.hpp. An object is alive
 // until its caller has released it as often as it made and retained it, a buffer also while a
 // sub-buffer of it is. Leaves images, pipes and shared virtual memory out.
-#include "support/layers/counts.h"
+#include "support/layers/counts.hpp"
 
 #include <cstdlib>
 

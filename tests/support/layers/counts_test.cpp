@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "api/valid_calls.hpp"
-#include "support/layers/counts.h"
+#include "support/layers/counts.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // objects.hpp - the OpenCL objects that a process has made and not yet released, and the counts of
-// counts.h. Any thread may call.
+// counts.hpp. Any thread may call.
 #pragma once
 
 #include <mutex>
 #include <unordered_map>
 
-#include "support/layers/counts.h"
+#include "support/layers/counts.hpp"
 
 namespace layer {
 

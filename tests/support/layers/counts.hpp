@@ -1,9 +1,9 @@
-/* counts.h - what the layer of counts.cpp has counted of a process's OpenCL calls. In the process
- * dlsym finds rsh_read_counts in the layer; from outside, the file that RSH_COUNTS names has the
- * same words as JSON, written when the process ends. */
-#ifndef RSH_LAYERS_COUNTS_H
-#define RSH_LAYERS_COUNTS_H
-#include <stddef.h>
+// counts.hpp - what the layer of counts.cpp has counted of a process's OpenCL calls. In the process
+// dlsym finds rsh_read_counts in the layer; from outside, the file that RSH_COUNTS names has the
+// same words as JSON, written when the process ends.
+#pragma once
+
+#include <cstddef>
 
 /* Made: buffers, sub-buffers, kernels. compiles: builds, compilations and links; binary_builds: all of
  * binaries. waits of the host: finish, wait for events, blocking reads, writes and maps. copies:
@@ -32,5 +32,3 @@ struct rsh_counts {
 };
 
 typedef void (*rsh_read_counts_function)(struct rsh_counts* counts);
-
-#endif
