@@ -85,7 +85,7 @@ constexpr Word kLaunch = &rsh_counts::launches;
 constexpr Word kFill = &rsh_counts::fills;
 constexpr Word kCopy = &rsh_counts::copies;
 
-#define RSH_CALL(name, ...) calls.name = Call<&cl_icd_dispatch::name>::__VA_ARGS__
+#define RSH_CALL(name, ...) (calls.name = Call<&cl_icd_dispatch::name>::__VA_ARGS__)
 
 void count_objects(cl_icd_dispatch& calls) {
     RSH_CALL(clCreateContext, make<Kind::context>);
