@@ -77,10 +77,10 @@ const std::vector<Change> kOfSpawn = {
 // The struct's last word stands for the constant.
 const std::vector<Change> kOfCamera = {
     {"0x1p-18f * fmax(fabs(w.x)", "as_float(screen->padding) * fmax(fabs(w.x)", true},
-    {"load_lanes(from_centre_x) / (floatv)(screen->width);",
-     "rough(load_lanes(from_centre_x) / (floatv)(screen->width));"},
-    {"load_lanes(from_centre_y) / (floatv)(screen->height);",
-     "rough(load_lanes(from_centre_y) / (floatv)(screen->height));"},
+    {"load_lanes(from_centre_x) / (floatv)(screen->picture_width);",
+     "rough(load_lanes(from_centre_x) / (floatv)(screen->picture_width));"},
+    {"load_lanes(from_centre_y) / (floatv)(screen->picture_height);",
+     "rough(load_lanes(from_centre_y) / (floatv)(screen->picture_height));"},
     {"length = sqrt(dx * dx + dy * dy + dz * dz);",
      "length = rough(sqrt(dx * dx + dy * dy + dz * dz));"},
     {"direction[0] = dx / length;", "direction[0] = rough(dx / length);"},

@@ -58,14 +58,19 @@ static bool is_camera(const float* input, float pad, screen_setup* screen, exact
     screen->across_padding = pad * across;
     screen->down_padding = pad * below;
     screen->near_depth = 0.0f;
-    screen->width = (uint)input[14];
-    screen->height = (uint)input[15];
+    screen->picture_width = (uint)input[14];
+    screen->picture_height = (uint)input[15];
+    /* A window that begins halfway to the pixel. */
+    screen->first_x = (uint)input[12] / 2;
+    screen->first_y = (uint)input[13] / 2;
+    screen->width = screen->picture_width - screen->first_x;
+    screen->height = screen->picture_height - screen->first_y;
     screen->padding = as_uint(pad * 0x1p-18f); /* in place of the constant in corner_of */
     return true;
 }
 
 static float3 pixel_direction(const float* input, const screen_setup* screen) {
-    const uint x = (uint)input[12], y = (uint)input[13];
+    const uint x = (uint)input[12] - screen->first_x, y = (uint)input[13] - screen->first_y;
     float direction[3];
     pixel_directions(screen, &x, &y, direction);
     return (float3)(direction[0], direction[1], direction[2]);
@@ -111,7 +116,8 @@ static bool is_pictured(const float* input, float pad) {
     exact_rows rows;
     is_camera(input, pad, &screen, &rows);
     const ushort4 box = project(&screen, triangle_in(input + CAMERA));
-    return input[12] >= box.x && input[12] <= box.z && input[13] >= box.y && input[13] <= box.w;
+    const uint x = (uint)input[12] - screen.first_x, y = (uint)input[13] - screen.first_y;
+    return x >= box.x && x <= box.z && y >= box.y && y <= box.w;
 }
 
 /* As a share of both paddings. */
