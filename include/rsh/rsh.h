@@ -277,14 +277,15 @@ typedef struct rsh_geometry {
     cl_mem reserved_buffers[4];   /* NULL; likewise */
 } rsh_geometry;
 
-/* Geometry with everything that shading reads. All arrays live in device buffers, so a moving
- * mesh re-uploads its vertices (and normals) only. */
+/* What rsh_frame takes a ray to see that it does not trace. */
 enum {
     RSH_CUT_BLACK = 0,      /* nothing                                                        */
     RSH_CUT_AMBIENT = 1,    /* the ambient light                                              */
     RSH_CUT_ENVIRONMENT = 2 /* the environment that lies that way, as if nothing were between */
 };
 
+/* Geometry with everything that shading reads. All arrays live in device buffers, so a moving
+ * mesh re-uploads its vertices (and normals) only. */
 typedef struct rsh_scene {
     size_t struct_size;
     rsh_geometry geometry;
@@ -308,8 +309,8 @@ typedef struct rsh_scene {
                                      0: none, the plain colour                             */
     rsh_features features;        /* what shading must support; 0: nothing beyond flat, local
                                      light; see rsh_find_features                          */
-    cl_uint cut;                  /* RSH_CUT_...: what rsh_frame takes a ray to see that it does
-                                     not trace, after the last bounce or below min_weight  */
+    cl_uint cut;                  /* RSH_CUT_..., of rays after the last bounce and of those that
+                                     weigh no more than rsh_frame's min_weight             */
 } rsh_scene;
 
 /* Fills scene->features, shadow_lights and positional_lights with what these materials and
@@ -321,12 +322,12 @@ RSH_API rsh_status rsh_find_features(rsh_scene* scene, const rsh_material* mater
 
 /* ---- primary rays ---- */
 
-/* The pixels of a call as a window in a larger picture, whose bits they have. All 0: they are the
- * picture. */
+/* Where the pixels of a call lie in a larger picture; they have its bits, and `camera` is that of the
+ * picture. All 0: they are the picture. */
 typedef struct rsh_window {
-    cl_uint x, y;           /* its first pixel in the picture */
-    cl_uint picture_width;  /* pixels, up to 16384, at least x + width; 0: the call's width  */
-    cl_uint picture_height;
+    cl_uint x, y;           /* the first pixel, from the picture's left and top              */
+    cl_uint picture_width;  /* pixels, at least x + width, at most 16384; 0: `width`, x is 0 */
+    cl_uint picture_height; /* as well                                                       */
 } rsh_window;
 
 typedef struct rsh_rasterize_desc {
@@ -716,7 +717,7 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
  * shade, spawn.
  *
  * The rays of a bounce are one wave: all reflections of the wave before, then all its refractions,
- * packed, those of a screen tile beside each other. A wave costs its rays, not the screen's: with B
+ * packed, those of neighbouring pixels close together. A wave costs its rays, not the screen's: with B
  * bounces and S lights that cast shadows a frame traverses S + B (1 + S) times at most. A pixel is
  * the sum of what its ray sees itself, then of what its reflection sees, then its refraction.
  * Memory: the picture is worked off in strips of whole rows, as many as fit into the budget: 48
@@ -724,8 +725,8 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
  * has room for a strip's number of rays. One that would hold more is taken in parts, one after the
  * other with all that comes of it. The picture's bits do not depend on any of that.
  * BLOCKS once per bounce and strip, and per part of a wave, to read how many rays the next one
- * holds: none end the strip. Where there can be such waves, it first flushes `queue` and BLOCKS for the wait
- * list, and enqueues nothing when an event of it fails. */
+ * holds: none end the strip. Where there can be such waves, it first flushes `queue` and BLOCKS
+ * for the wait list, and enqueues nothing when an event of it fails. */
 RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
                              const rsh_frame_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);

@@ -22,34 +22,6 @@ FrameOptions sized(uint32_t width, uint32_t height, uint32_t bounces) {
     return options;
 }
 
-// As the error names it.
-size_t least_budget(const test::DeviceScene& scene, const FrameOptions& options) {
-    const std::string need = "must be 0 or at least ";
-    rsh_frame_desc desc = {};
-    desc.struct_size = sizeof desc;
-    desc.scene = &scene.desc;
-    desc.camera = test::gallery_camera(options.width, options.height);
-    desc.width = options.width;
-    desc.height = options.height;
-    desc.bounces = options.bounces;
-    desc.engine = options.engine;
-    desc.strategy = options.strategy;
-    desc.budget = 1;
-    rsh_sizes sizes = {};
-    sizes.struct_size = sizeof sizes;
-    EXPECT_EQ(rsh_frame_query(test::device().rsh, &desc, &sizes), RSH_INVALID_VALUE);
-    const std::string error = rsh_last_error();
-    const size_t at = error.find(need);
-    EXPECT_NE(at, std::string::npos) << error;
-    const size_t least = std::stoull(error.substr(at + need.size()));
-    desc.budget = least - 1;
-    EXPECT_EQ(rsh_frame_query(test::device().rsh, &desc, &sizes), RSH_INVALID_VALUE);
-    desc.budget = least;
-    RSH_CHECK(rsh_frame_query(test::device().rsh, &desc, &sizes));
-    EXPECT_LE(sizes.scratch_bytes, least);
-    return least;
-}
-
 void expect_finite(const std::vector<cl_float4>& image) {
     for (size_t i = 0; i < image.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
@@ -255,90 +227,10 @@ TEST(Frame, GivesTheSameBytesWithEveryEngineStrategyAndBudget) {
         for (const bool is_least : {false, true}) {
             options.strategy = strategy;
             options.own_scratch = is_least;
-            options.budget = is_least ? least_budget(scene, options) : 0;
+            options.budget = is_least ? test::least_budget(scene, options) : 0;
             EXPECT_TRUE(test::same_bits(test::frame(scene, options), expected, "pixels"))
                 << rsh_strategy_name(strategy) << ", budget " << options.budget;
         }
-}
-
-TEST(Frame, GivesTheSameBytesInStrips) {
-    const test::OwnContext context;
-    const test::DeviceScene scene(test::gallery());
-    FrameOptions options;
-    options.width = test::small() ? 5 : 61;
-    options.height = 205;  // three strips and a bit
-    options.bounces = 2;
-    options.context = context.get();
-    RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
-    const auto traversals = [&] {
-        rsh_statistics s = {};
-        s.struct_size = sizeof s;
-        RSH_CHECK(rsh_get_statistics(context.get(), &s));
-        RSH_CHECK(rsh_count_statistics(context.get(), CL_TRUE));
-        return s.traversals;
-    };
-    for (const test::TraceOptions& way : test::all_ways()) {
-        SCOPED_TRACE(name_of(way));
-        options.engine = way.engine;
-        options.budget = 0;
-        const auto whole = test::frame(scene, options);
-        const cl_ulong in_one = traversals(), least = least_budget(scene, options);
-        for (const bool own_scratch : {false, true})
-            for (const size_t budget : {least, least + least / 2, 2 * least, 3 * least}) {
-                options.own_scratch = own_scratch;
-                options.budget = budget;
-                EXPECT_TRUE(test::same_bits(test::frame(scene, options), whole, "pixels"))
-                    << "budget " << budget;
-                const cl_ulong in_strips = traversals();
-                if (budget == least) {
-                    EXPECT_GT(in_strips, 2 * in_one) << "it was not cut into strips";
-                }
-            }
-    }
-}
-
-TEST(Frame, GivesTheSameBytesWhereTheLastStripIsARow) {
-    const test::DeviceScene scene(test::gallery());
-    FrameOptions options;
-    options.width = test::small() ? 5 : 61;
-    options.height = 129;
-    for (const test::TraceOptions& way : test::all_ways()) {
-        SCOPED_TRACE(name_of(way));
-        options.engine = way.engine;
-        options.budget = 0;
-        options.own_scratch = false;
-        const auto whole = test::frame(scene, options);
-        options.budget = least_budget(scene, options);
-        options.own_scratch = true;
-        EXPECT_TRUE(test::same_bits(test::frame(scene, options), whole, "pixels"));
-    }
-}
-
-TEST(Frame, GivesAWindowTheBitsOfThePicture) {
-    const test::DeviceScene scene(test::gallery());
-    const FrameOptions whole = sized(83, 71, 2);
-    const auto picture = test::frame(scene, whole);
-    const rsh_camera camera = test::gallery_camera(whole.width, whole.height);
-    const uint32_t w = whole.width, h = whole.height;
-    const uint32_t windows[][4] = {{0, 0, w, h},
-                                   {0, 0, 1, 1},
-                                   {w - 1, h - 1, 1, 1},
-                                   {3, 5, w - 7, h - 6},
-                                   {0, h / 2, w, 2}};
-    for (const auto& [x, y, width, height] : windows) {
-        SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + " at " +
-                     std::to_string(x) + ", " + std::to_string(y));
-        FrameOptions part = whole;
-        part.width = width;
-        part.height = height;
-        part.camera = &camera;
-        part.window = {x, y, w, h};
-        std::vector<cl_float4> expected;
-        for (uint32_t row = y; row < y + height; ++row)
-            expected.insert(expected.end(), picture.begin() + row * w + x,
-                            picture.begin() + row * w + x + width);
-        EXPECT_TRUE(test::same_bits(test::frame(scene, part), expected, "pixels"));
-    }
 }
 
 TEST(Frame, StaysFiniteAfterManyBounces) {

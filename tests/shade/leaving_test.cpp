@@ -153,10 +153,10 @@ bool is_at_box(test::Float3 point, const test::Corners& c) {
 }
 
 // How many start far from the box of the triangle that they left; `seen`: of how many.
-size_t far_starts(rsh_context context, size_t* seen) {
+size_t far_starts(rsh_context context, const std::vector<uint32_t>& kinds, size_t* seen) {
     Random random(312);
     const Grazed grazed = grazed_edges(random, uint32_t(test::ray_count(20000)));
-    const test::Sending sending{{RSH_SPAWN_REFLECTION, RSH_SPAWN_REFRACTION}, 1.5f, context};
+    const test::Sending sending{kinds, 1.5f, context};
     size_t far = 0;
     for (const test::Departures& from : send(grazed.mesh, grazed.rays, sending))
         for (size_t i = 0; i < from.rays.size(); ++i) {
@@ -169,18 +169,34 @@ size_t far_starts(rsh_context context, size_t* seen) {
     return far;
 }
 
+const std::vector<uint32_t> kBranches = {RSH_SPAWN_REFLECTION, RSH_SPAWN_REFRACTION};
+
 TEST(LeavingStarts, AtTheTriangleThatRoundingAloneHits) {
-    size_t seen = 0;
-    EXPECT_EQ(far_starts(nullptr, &seen), 0u) << "of " << seen;
-    EXPECT_GT(seen, test::ray_count(20000) / 4);
+    for (const auto& kinds : {kBranches, {RSH_SPAWN_SHADOW}}) {
+        size_t seen = 0;
+        EXPECT_EQ(far_starts(nullptr, kinds, &seen), 0u) << "of " << seen;
+        EXPECT_GT(seen, test::ray_count(20000) / 8);
+    }
 }
 
 // The test above can fail.
-TEST(LeavingStarts, ElsewhereWhereRaysMeetThePlane) {
-    const test::ChangedKernels changed("shade/departure.h", "fabs(way) <= 0x1p-18f",
-                                       "INFINITY > 0x1p-18f");
+size_t far_starts_with(const char* file, const char* from, const char* to,
+                       const std::vector<uint32_t>& kinds) {
+    const test::ChangedKernels changed(file, from, to);
     size_t seen = 0;
-    EXPECT_GT(far_starts(changed.context(), &seen), 0u) << "of " << seen;
+    return far_starts(changed.context(), kinds, &seen);
+}
+
+TEST(LeavingStarts, ElsewhereWhereRaysMeetThePlane) {
+    EXPECT_GT(far_starts_with("shade/departure.h", "fabs(way) <= 0x1p-18f",
+                              "INFINITY > 0x1p-18f", kBranches),
+              0u);
+}
+
+TEST(LeavingStarts, ElsewhereWhereShadowRaysMeetThePlane) {
+    EXPECT_GT(far_starts_with("shade/lanes/departure.h", "(fabs(way) <= 0x1p-18f",
+                              "((floatv)(INFINITY) > 0x1p-18f", {RSH_SPAWN_SHADOW}),
+              0u);
 }
 
 }  // namespace

@@ -58,6 +58,33 @@ rsh_camera gallery_camera(uint32_t width, uint32_t height) {
     return look_at({0.4f, 2.2f, 5.5f}, {0, 0.8f, 0}, width, height);
 }
 
+size_t least_budget(const DeviceScene& scene, const FrameOptions& options) {
+    const std::string need = "must be 0 or at least ";
+    rsh_frame_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.scene = &scene.desc;
+    desc.camera = gallery_camera(options.width, options.height);
+    desc.width = options.width;
+    desc.height = options.height;
+    desc.bounces = options.bounces;
+    desc.engine = options.engine;
+    desc.strategy = options.strategy;
+    desc.budget = 1;
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    EXPECT_EQ(rsh_frame_query(device().rsh, &desc, &sizes), RSH_INVALID_VALUE);
+    const std::string error = rsh_last_error();
+    const size_t at = error.find(need);
+    EXPECT_NE(at, std::string::npos) << error;
+    const size_t least = std::stoull(error.substr(at + need.size()));
+    desc.budget = least - 1;
+    EXPECT_EQ(rsh_frame_query(device().rsh, &desc, &sizes), RSH_INVALID_VALUE);
+    desc.budget = least;
+    RSH_CHECK(rsh_frame_query(device().rsh, &desc, &sizes));
+    EXPECT_LE(sizes.scratch_bytes, least);
+    return least;
+}
+
 std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& options) {
     const rsh_context context = options.context ? options.context : device().rsh;
     const Buffer<cl_float4> colour(size_t(options.width) * options.height);

@@ -53,6 +53,9 @@ struct FrameOptions {
 // The gallery's camera.
 rsh_camera gallery_camera(uint32_t width, uint32_t height);
 
+// The least budget that rsh_frame takes, as its error names it.
+size_t least_budget(const DeviceScene& scene, const FrameOptions& options);
+
 std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& options);
 
 }  // namespace test
