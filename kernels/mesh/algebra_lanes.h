@@ -118,6 +118,46 @@ static twofold3v exact_product3_v(float3v a, float3v b)
     return (twofold3v){p, {fma(a.x, b.x, -p.x), fma(a.y, b.y, -p.y), fma(a.z, b.z, -p.z)}};
 }
 
+static twofold3v twofold3_of_v(float3v v) { return (twofold3v){v, lanes_of((float3)(0.0f))}; }
+
+static twofold3v twofold_scaled_v(floatv scale, twofold3v v)
+{
+    return (twofold3v){scaled_v(scale, v.high), scaled_v(scale, v.low)};
+}
+
+static twofold3v twofold_sum3_v(twofold3v a, twofold3v b)
+{
+    const twofold3v sum = exact_sum3_v(a.high, b.high);
+    return gathered_v(sum.high, sum_v(sum.low, sum_v(a.low, b.low)));
+}
+
+static twofold3v twofold_times_v(twofoldv a, twofold3v v)
+{
+    const twofold3v product = exact_product3_v((float3v){a.high, a.high, a.high}, v.high);
+    const float3v low = sum_v(scaled_v(a.high, v.low), scaled_v(a.low, v.high));
+    return gathered_v(product.high, sum_v(product.low, low));
+}
+
+/* Not gathered: `high` is that of floats, `low` what it leaves. */
+static twofoldv twofold_quotient_v(twofoldv a, twofoldv b)
+{
+    const floatv quotient = a.high / b.high;
+    const floatv rest = fma(-quotient, b.high, a.high) + (a.low - quotient * b.low);
+    return (twofoldv){quotient, rest / b.high};
+}
+
+/* Unit vectors, rounded once per component; 0 for vectors without a direction. */
+static float3v twofold_unit_v(twofold3v v)
+{
+    const floatv size = largest_v(fabs_v(v.high));
+    const twofold3v w = twofold_scaled_v(scale_to_one_v(size), v);
+    const floatv inverse = (floatv)(1.0f) / sqrt(dot_v(w.high, w.high));
+    const twofold3v unit = exact_product3_v(w.high, (float3v){inverse, inverse, inverse});
+    const float3v rounded = sum_v(unit.high, sum_v(unit.low, scaled_v(inverse, w.low)));
+    return select_v(lanes_of((float3)(0.0f)), rounded,
+                    (size > (floatv)(0.0f)) & (size < (floatv)(INFINITY)));
+}
+
 static twofoldv twofold_dot_v(twofold3v a, twofold3v b)
 {
     const twofold3v terms = exact_product3_v(a.high, b.high);

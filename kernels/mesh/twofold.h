@@ -58,26 +58,6 @@ static twofold3 twofold_scaled(float scale, twofold3 v)
     return (twofold3){scale * v.high, scale * v.low};
 }
 
-static twofold3 twofold_sum3(twofold3 a, twofold3 b)
-{
-    const twofold3 sum = exact_sum3(a.high, b.high);
-    return gathered(sum.high, sum.low + (a.low + b.low));
-}
-
-static twofold3 twofold_times(twofold a, twofold3 v)
-{
-    const twofold3 product = exact_product3((float3)(a.high), v.high);
-    return gathered(product.high, product.low + (a.high * v.low + a.low * v.high));
-}
-
-/* Not gathered: `high` is that of floats, `low` what it leaves. */
-static twofold twofold_quotient(twofold a, twofold b)
-{
-    const float quotient = a.high / b.high;
-    const float rest = fma(-quotient, b.high, a.high) + (a.low - quotient * b.low);
-    return (twofold){quotient, rest / b.high};
-}
-
 static twofold twofold_dot(twofold3 a, twofold3 b)
 {
     const twofold3 terms = exact_product3(a.high, b.high);
@@ -95,18 +75,6 @@ static twofold3 twofold_cross(twofold3 a, twofold3 b)
     const float3 low = (a.high.yzx * b.low.zxy + a.low.yzx * b.high.zxy) -
                        (a.high.zxy * b.low.yzx + a.low.zxy * b.high.yzx);
     return gathered(difference.high, difference.low + ((plus.low - minus.low) + low));
-}
-
-/* Unit vector, rounded once per component; 0 for a vector without a direction. */
-static float3 twofold_unit(twofold3 v)
-{
-    const float size = largest3(fabs(v.high));
-    if (!(size > 0.0f) || isinf(size)) return (float3)(0.0f);
-    const float scale = scale_to_one(size);
-    const twofold3 w = twofold_scaled(scale, v);
-    const float inverse = 1.0f / sqrt(dot3(w.high, w.high));
-    const twofold3 unit = exact_product3(w.high, (float3)(inverse));
-    return unit.high + (unit.low + inverse * w.low);
 }
 
 #endif

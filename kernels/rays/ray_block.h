@@ -2,6 +2,7 @@
 #ifndef RSH_RAYS_RAY_BLOCK_H
 #define RSH_RAYS_RAY_BLOCK_H
 
+#include "lanes/rows.h"
 #include "lanes/sixteen.h"
 #include "mesh/triangles.h"
 #include "rays/tile_layout.h"
@@ -37,10 +38,6 @@ static uint active_lanes(const ray_block* block)
 }
 
 #if RSH_WIDTH == 16
-/* Even and odd elements of two vectors. */
-#define RSH_EVEN(a, b) ((float16)((a).even, (b).even))
-#define RSH_ODD(a, b) ((float16)((a).odd, (b).odd))
-
 /* Four times four rays in a row, two in each of pair[0 .. 7], to eight rows of 16. Each step
  * halves the components that a vector holds: 0 2 4 6 and 1 3 5 7; then 0 4, 2 6, 1 5, 3 7. */
 static void transpose_rays(const float16* pair, ray_block* block)

@@ -1,5 +1,5 @@
-/* branch.h - which rays a hit sends on, a reflected and a refracted one at most, and these rays.
- * Knows nothing of where they are written.
+/* branch.h - which rays the hits of a block send on, a reflected and a refracted one each at most, and
+ * these rays. Knows nothing of where they are written.
  */
 #ifndef RSH_SHADE_BRANCH_H
 #define RSH_SHADE_BRANCH_H
@@ -8,99 +8,110 @@
 #include "shade/grazing.h"
 #include "shade/mirror.h"
 #include "shade/spawned_ray.h"
+#include "shade/start.h"
 #include "shade/types.h"
 
 #ifndef RSH_TRANSMISSION
 #define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */
 #endif
 
-/* A hit that sends rays on. */
-typedef struct branching_hit {
-    surface_hit surface;
-    float3 weight[RSH_BRANCHES]; /* of the ray of each kind; 0: there is none */
-} branching_hit;
-
-static bool transmits(__global const rsh_material* material)
-{
-    return largest3(material->transmission.xyz) > 0.0f;
-}
+/* Hits that send rays on. */
+typedef struct branch_lanes {
+    surface_lanes surface;
+    dielectric_lanes glass;       /* where the material transmits light        */
+    float3v weight[RSH_BRANCHES]; /* of the ray of each kind                   */
+    uint bits[RSH_BRANCHES];      /* lane by lane, whether there is such a ray */
+} branch_lanes;
 
 /* Most surfaces of most scenes send out no ray: known before their triangle is read. */
 static bool may_branch(const surface_buffers* buffers, __global const rsh_material* materials,
-                       rsh_hit hit, uint kinds)
+                       uint primitive, uint kinds)
 {
-    if (hit.primitive >= buffers->mesh.triangle_count) return false;
-    __global const rsh_material* material = materials + material_of(buffers, hit.primitive);
+    if (primitive >= buffers->mesh.triangle_count) return false;
+    __global const rsh_material* material = materials + material_of(buffers, primitive);
     const bool may_transmit = RSH_TRANSMISSION || kinds >> RSH_REFRACTED & 1;
-    if (may_transmit && transmits(material)) return true;
+    if (may_transmit && largest3(material->transmission.xyz) > 0.0f) return true;
     return kinds >> RSH_REFLECTED & 1 && largest3(material->reflection.xyz) > 0.0f;
 }
 
-static float3 reflected_weight(const surface_hit* surface,
-                               __global const rsh_material* material)
+/* The lanes whose surface may send a ray on. */
+static uint candidate_lanes(const surface_buffers* buffers,
+                            __global const rsh_material* materials, uint kinds,
+                            const uint* primitive)
 {
-    if (!RSH_TRANSMISSION || !transmits(material)) return material->reflection.xyz;
-    const float share = reflectance(dielectric_at(surface, material->transmission.w));
-    return share + (1.0f - share) * material->reflection.xyz;
+    uint bits = 0;
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        bits |= (uint)may_branch(buffers, materials, primitive[k], kinds) << k;
+    return bits;
 }
 
-static float3 refracted_weight(const surface_hit* surface,
-                               __global const rsh_material* material)
+/* What light each kind of ray brings to a viewer of weight 1. */
+static void split_light(__global const rsh_material* materials, uint kinds, uint bits,
+                        branch_lanes* at)
 {
-    if (!transmits(material)) return (float3)(0.0f);
-    const dielectric at = dielectric_at(surface, material->transmission.w);
-    return (1.0f - reflectance(at)) * material->transmission.xyz;
+    floatv row[4];
+    load_colours(&materials->reflection, at->surface.material, row);
+    const float3v reflection = {row[0], row[1], row[2]};
+    at->weight[RSH_REFLECTED] = reflection;
+    at->weight[RSH_REFRACTED] = lanes_of((float3)(0.0f));
+    if (!RSH_TRANSMISSION && !(kinds >> RSH_REFRACTED & 1)) return;
+    load_colours(&materials->transmission, at->surface.material, row);
+    const float3v transmission = {row[0], row[1], row[2]};
+    const intv transmits = largest_v(transmission) > (floatv)(0.0f);
+    if (!(bits & RSH_LANE_BITS(transmits))) return;
+    at->glass = dielectrics_at(&at->surface, row[3]);
+    const floatv share = reflectance(&at->glass), rest = (floatv)(1.0f) - share;
+    const float3v none = lanes_of((float3)(0.0f));
+    const float3v both = sum_v((float3v){share, share, share}, scaled_v(rest, reflection));
+    if (RSH_TRANSMISSION) at->weight[RSH_REFLECTED] = select_v(reflection, both, transmits);
+    at->weight[RSH_REFRACTED] = select_v(none, scaled_v(rest, transmission), transmits);
 }
 
-/* 0: whatever the ray saw, it would not change the image. */
-static float3 worth(float3 weight, float min_weight)
+/* A bit for each weight that is worth a ray: whatever the others saw, it would not change the
+ * image. */
+static uint worth(float3v weight, float min_weight)
 {
-    const bool is_worth = is_finite3(weight) && largest3(weight) > fmax(min_weight, 0.0f);
-    return is_worth ? weight : (float3)(0.0f);
+    const floatv least = (floatv)(fmax(min_weight, 0.0f));
+    return RSH_LANE_BITS(is_finite_v(weight) & (largest_v(weight) > least));
 }
 
-static bool has_branch(const branching_hit* at, uint kind)
+/* kinds: those asked for. seen: weights of the rays that hit. Of the lanes in `bits`, those that send
+ * a ray on. */
+static uint find_branches(const surface_buffers* buffers,
+                          __global const rsh_material* materials, uint kinds, float3v seen,
+                          float min_weight, const ray_lanes* block, uint bits, branch_lanes* at)
 {
-    return largest3(at->weight[kind]) > 0.0f;
-}
-
-/* kinds: those asked for. weight: of the ray that hits. False: it sends none of them on. */
-static bool find_branches(const surface_buffers* buffers,
-                          __global const rsh_material* materials, uint kinds, float3 weight,
-                          float min_weight, rsh_ray ray, rsh_hit hit, branching_hit* at)
-{
-    at->weight[RSH_REFLECTED] = at->weight[RSH_REFRACTED] = (float3)(0.0f);
-    if (!may_branch(buffers, materials, hit, kinds)) return false;
-    if (!find_surface(buffers, ray, hit, &at->surface)) return false;
-    __global const rsh_material* material = materials + at->surface.material;
-    if (kinds >> RSH_REFLECTED & 1)
-        at->weight[RSH_REFLECTED] =
-            worth(weight * reflected_weight(&at->surface, material), min_weight);
-    if (kinds >> RSH_REFRACTED & 1)
-        at->weight[RSH_REFRACTED] =
-            worth(weight * refracted_weight(&at->surface, material), min_weight);
-    return has_branch(at, RSH_REFLECTED) || has_branch(at, RSH_REFRACTED);
-}
-
-/* from: where the ray that hits meets the triangle. is_skipped: the ray that is sent on will not
- * hit it. */
-static rsh_ray branch_ray(const surface_buffers* buffers,
-                          __global const rsh_material* materials, const branching_hit* at,
-                          const departure* from, uint triangle, uint kind, bool is_skipped)
-{
-    const surface_hit* surface = &at->surface;
-    float3 side, direction;
-    if (kind == RSH_REFRACTED) {
-        const float index = materials[surface->material].transmission.w;
-        side = -surface->geometric;
-        direction = refract_ray(surface, dielectric_at(surface, index));
-    } else {
-        side = surface->geometric;
-        direction = mirror_direction(buffers, surface, triangle, from);
+    at->bits[RSH_REFLECTED] = at->bits[RSH_REFRACTED] = 0;
+    bits = find_surfaces(buffers, block, bits, &at->surface);
+    if (bits == 0) return 0;
+    split_light(materials, kinds, bits, at);
+    for (uint kind = 0; kind < RSH_BRANCHES; ++kind) {
+        if (!(kinds >> kind & 1)) continue;
+        at->weight[kind] = product_v(seen, at->weight[kind]);
+        at->bits[kind] = bits & worth(at->weight[kind], min_weight);
     }
-    direction = keep_on_side(direction, side);
-    const twofold3 start = leave_surface(surface, from, side, is_skipped);
-    return ray_from(rounded_to_side(start, side, direction), direction, INFINITY);
+    return at->bits[RSH_REFLECTED] | at->bits[RSH_REFRACTED];
+}
+
+/* from: where the rays that hit meet their triangles. is_skipped: those that are sent on will not
+ * hit them. */
+static sent_rays send_branches(const branch_lanes* at, const departure_lanes* from, uint kind,
+                               bool is_skipped)
+{
+    const surface_lanes* surface = &at->surface;
+    const bool is_refracted = kind == RSH_REFRACTED;
+    const float3v side = is_refracted ? opposite_v(surface->geometric) : surface->geometric;
+    const float3v aimed = is_refracted ? refracted_directions(surface, &at->glass)
+                                       : mirror_directions(surface, from);
+    sent_rays sent;
+    sent.tmax = INFINITY;
+    sent.direction = keep_on_side(aimed, side);
+    const twofold3v start = leave_surfaces(surface, from, side, is_skipped);
+    sent.origin = rounded_to_side(start, side, sent.direction);
+    const intv is_made =
+        active_v(sent.origin, sent.direction, (floatv)(0.0f), (floatv)(INFINITY));
+    sent.bits = at->bits[kind] & RSH_LANE_BITS(is_made);
+    return sent;
 }
 
 #endif

@@ -16,14 +16,33 @@ typedef struct cut_light {
     float3 colour;
 } cut_light;
 
-static float3 cut_colour(const cut_light* light, const surface_buffers* buffers,
-                         __global const rsh_material* materials, const branching_hit* at,
-                         const departure* from, uint triangle, uint kind)
+/* What the lanes in `bits` see by their branches of that kind. */
+static float3v cut_colours(const cut_light* light, const branch_lanes* at,
+                           const departure_lanes* from, uint kind, uint bits)
 {
-    if (light->is_plain) return light->colour;
-    const rsh_ray ray = branch_ray(buffers, materials, at, from, triangle, kind, true);
-    return environment_colour(&light->images, light->image, light->colour,
-                              ray.direction_tmax.xyz);
+    if (light->is_plain) return lanes_of(light->colour);
+    float row[3][RSH_WIDTH], seen[3][RSH_WIDTH];
+    store_v(send_branches(at, from, kind, true).direction, row);
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        float3 colour = (float3)(0.0f);
+        if (bits >> k & 1)
+            colour = environment_colour(&light->images, light->image, light->colour,
+                                        (float3)(row[0][k], row[1][k], row[2][k]));
+        put_in_lane(colour, k, seen);
+    }
+    return load_v(seen);
+}
+
+static void add_to_colours(float3v sum, const uint* index, uint bits, __global float4* colour)
+{
+    uint filled[RSH_WIDTH];
+    floatv row[4];
+    fill_lanes(load_lanes(index), bits, filled);
+    load_rows4((__global const float*)colour, 4, filled, row);
+    row[0] += sum.x;
+    row[1] += sum.y;
+    row[2] += sum.z;
+    store_rows4(row, bits, (__global float*)colour, 4, index);
 }
 
 __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
@@ -41,17 +60,27 @@ __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
     const cut_light light = {
         {textures, texture_count, texels}, environment_image, is_plain != 0, colour_of_cut.xyz};
     const strided_range mine = my_elements(ray_count);
-    for (uint i = mine.begin; i < mine.end; i += mine.step) {
-        branching_hit at;
-        const float3 seen = weights ? weights[i].xyz : (float3)(1.0f);
-        if (!find_branches(&buffers, materials, kinds, seen, 0.0f, rays[i], hits[i], &at))
-            continue;
-        const departure from = departure_of(&at.surface, rays[i], hits[i]);
-        float3 sum = (float3)(0.0f);
-        for (uint kind = 0; kind < RSH_BRANCHES; ++kind)
-            if (has_branch(&at, kind) && !(largest3(at.weight[kind]) > min_weight))
-                sum += at.weight[kind] * cut_colour(&light, &buffers, materials, &at, &from,
-                                                    hits[i].primitive, kind);
-        colour[i].xyz += sum;
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
+        uint index[RSH_WIDTH];
+        ray_lanes block;
+        branch_lanes at;
+        number_lanes(i, mine.end, index);
+        load_rays(index, rays, hits, &block);
+        const uint bits = candidate_lanes(&buffers, materials, kinds, block.primitive);
+        if (bits == 0) continue;
+        const uint found = find_branches(&buffers, materials, kinds,
+                                         load_weights(index, weights), 0.0f, &block, bits, &at);
+        if (found == 0) continue;
+        const departure_lanes from = departures_of(&at.surface, &block);
+        float3v sum = lanes_of((float3)(0.0f));
+        for (uint kind = 0; kind < RSH_BRANCHES; ++kind) {
+            const intv is_cut = largest_v(at.weight[kind]) <= (floatv)(min_weight);
+            const uint cut = at.bits[kind] & RSH_LANE_BITS(is_cut);
+            if (cut == 0) continue;
+            const float3v seen = cut_colours(&light, &at, &from, kind, cut);
+            sum =
+                select_v(sum, sum_v(sum, product_v(at.weight[kind], seen)), lanes_of_bits(cut));
+        }
+        add_to_colours(sum, index, found, colour);
     }
 }

@@ -1,5 +1,5 @@
-/* departure.h - where a ray that leaves a surface starts: on its side of the triangle that it
- * leaves, however the triangle is scaled and wherever it lies. Makes no ray.
+/* departure.h - where rays of a block that leave surfaces start: each on its side of the triangle that
+ * it leaves, however the triangle is scaled and wherever it lies. Makes no ray.
  *
  * The ray does not hit that triangle, which is told by its number, nor what lies behind the
  * triangle's plane (mesh/leaving.h). So the origin only has to be on the right side of the plane:
@@ -27,25 +27,13 @@
 
 #include "shade/surface.h"
 
-typedef struct departure {
-    twofold3 normal;  /* of the triangle, of any length */
-    float3 direction; /* of the ray that arrived, scaled by a power of two to 1 .. 2 */
-    float3 point;     /* that it hit */
-    float3 rest;      /* what rounding left off the point */
-    float error;      /* how far from the triangle's plane point + rest may lie */
-} departure;
-
-/* As in shade/surface.h. Edges err by u = 2^-24, products by u, their sum by u, and u + v <= 1:
- * with the triangle's extent L the offset errs by 3uL on each axis, and the sum with the corner
- * is exact. */
-static void take_barycentric_point(const surface_hit* surface, rsh_hit hit, departure* from)
-{
-    const triangle_points p = surface->triangle;
-    const twofold3 point = exact_sum3(p.v0, hit.u * (p.v1 - p.v0) + hit.v * (p.v2 - p.v0));
-    from->point = point.high;
-    from->rest = point.low;
-    from->error = 0x1p-21f * surface->edges.extent;
-}
+typedef struct departure_lanes {
+    twofold3v normal;  /* of the triangle, of any length */
+    float3v direction; /* of the ray that arrived, scaled by a power of two to 1 .. 2 */
+    float3v point;     /* that it hit */
+    float3v rest;      /* what rounding left off the point */
+    floatv error;      /* how far from the triangle's plane point + rest may lie */
+} departure_lanes;
 
 /* The point where the ray meets the triangle's plane, rounded once: the hit's t leads near it,
  * and the distance from the plane that is left is taken off along the ray. So neither the
@@ -59,106 +47,63 @@ static void take_barycentric_point(const surface_hit* surface, rsh_hit hit, depa
  * the point's coordinates and of the path's each, they are rounded three times, 4u^2 = 2^-46.
  * Slivers and rays along the plane, of which all that says little, keep the barycentric point. So
  * do rays that meet the plane far from what t says, as t errs by 11u / sine of the angle between
- * them: if they hit the triangle by rounding alone, they meet its plane that far beside it. */
-static bool find_point(const surface_hit* surface, rsh_ray ray, float t, departure* from)
+ * them: if they hit the triangle by rounding alone, they meet its plane that far beside it. A mask: where
+ * it is found. */
+static intv find_points(const surface_lanes* surface, const ray_lanes* block, floatv t,
+                        departure_lanes* from)
 {
-    const float3 d = from->direction;
-    const twofold3 path = exact_product3((float3)(t), d);
-    const twofold3 near = exact_sum3(ray.origin_tmin.xyz, path.high);
-    const float3 near_rest = near.low + path.low;
-    twofold3 from_v0 = exact_sum3(near.high, -surface->triangle.v0);
-    from_v0.low += near_rest;
-    const float3 normal = from->normal.high;
-    const float distance = twofold_dot(from->normal, from_v0).high;
-    const float along = 1.0f / dot3(normal, d);
-    const float way = distance * along;
-    const twofold3 point = exact_sum3(near.high, near_rest - way * d);
+    const float3v d = from->direction;
+    const twofold3v path = exact_product3_v((float3v){t, t, t}, d);
+    const twofold3v near = exact_sum3_v(block->origin, path.high);
+    const float3v near_rest = sum_v(near.low, path.low);
+    twofold3v from_v0 = exact_sum3_v(near.high, opposite_v(surface->v0));
+    from_v0.low = sum_v(from_v0.low, near_rest);
+    const float3v normal = from->normal.high;
+    const floatv distance = twofold_dot_v(from->normal, from_v0).high;
+    const floatv along = (floatv)(1.0f) / dot_v(normal, d);
+    const floatv way = distance * along;
+    const twofold3v point = exact_sum3_v(near.high, minus_v(near_rest, scaled_v(way, d)));
     from->point = point.high;
     from->rest = point.low;
-    const float share = 0x1p-20f * dot3(fabs(normal), fabs(d)) * fabs(along);
-    from->error = (0x1p-36f * surface->edges.extent + share * fabs(distance)) /
-                      sqrt(dot3(normal, normal)) +
-                  0x1p-46f * (largest3(fabs(near.high)) + largest3(fabs(path.high)));
-    return from->error <= 0x1p-21f * surface->edges.extent &&
-           fabs(way) <= 0x1p-18f * (surface->edges.extent + largest3(fabs(path.high)));
+    const floatv share = 0x1p-20f * dot_v(fabs_v(normal), fabs_v(d)) * fabs(along);
+    const floatv extent = surface->edges.extent, reach = largest_v(fabs_v(path.high));
+    from->error = (0x1p-36f * extent + share * fabs(distance)) / sqrt(dot_v(normal, normal)) +
+                  0x1p-46f * (largest_v(fabs_v(near.high)) + reach);
+    return (from->error <= 0x1p-21f * extent) & (fabs(way) <= 0x1p-18f * (extent + reach));
 }
 
-static departure departure_of(const surface_hit* surface, rsh_ray ray, rsh_hit hit)
+/* As in shade/surface.h. Edges err by u = 2^-24, products by u, their sum by u, and u + v <= 1:
+ * with the triangle's extent L the offset errs by 3uL on each axis, and the sum with the corner
+ * is exact. */
+static void take_barycentric_points(const surface_lanes* surface, const ray_lanes* block,
+                                    intv is_kept, departure_lanes* from)
 {
-    departure from;
-    const float scale = scale_to_one(largest3(fabs(ray.direction_tmax.xyz)));
-    from.direction = scale * ray.direction_tmax.xyz;
-    from.normal = twofold_cross(surface->edges.edge1, surface->edges.edge2);
-    if (!find_point(surface, ray, hit.t / scale, &from))
-        take_barycentric_point(surface, hit, &from);
+    const twofold3v point = exact_sum3_v(surface->v0, offset_from_v0(surface, block));
+    from->point = select_v(point.high, from->point, is_kept);
+    from->rest = select_v(point.low, from->rest, is_kept);
+    from->error = select(0x1p-21f * surface->edges.extent, from->error, is_kept);
+}
+
+static departure_lanes departures_of(const surface_lanes* surface, const ray_lanes* block)
+{
+    departure_lanes from;
+    const floatv scale = scale_to_one_v(largest_v(fabs_v(block->direction)));
+    from.direction = scaled_v(scale, block->direction);
+    from.normal = twofold_cross_v(surface->edges.edge1, surface->edges.edge2);
+    const intv is_kept = find_points(surface, block, block->t / scale, &from);
+    take_barycentric_points(surface, block, is_kept, &from);
     return from;
 }
 
-/* How far ahead of the point, in 2^-24 of its largest coordinate, and what an error along the ray
- * counts beside one across it, squared. With 0 and 1 the error at the 11th of a chain of mirrors
- * is 2.2 times that of rounding to nearest, with these 1.2 times; the first origin's is 1.6
- * times, instead of 1.4. */
-#define RSH_PLACE_AHEAD 0.75f
-#define RSH_ALONG_SHARE 0.25f
-
-/* The floats next to v, towards the signs of `way`. */
-static float3 next_floats(float3 v, float3 way)
+/* Where rays may start, before that is rounded. side: the geometric normal, towards the side that
+ * they leave to. is_skipped: they will not hit the triangle. */
+static twofold3v leave_surfaces(const surface_lanes* surface, const departure_lanes* from,
+                                float3v side, bool is_skipped)
 {
-    const int3 outwards = (v < 0.0f) == (way < 0.0f);
-    const float3 next = as_float3(as_int3(v) + select((int3)(-1), (int3)(1), outwards));
-    return select(next, copysign((float3)(0x1p-126f), way), v == 0.0f);
-}
-
-/* One value per axis, each of two, as the sums of all eight choices: bit i of its number says
- * which of axis i. */
-static float8 sums_of_choices(float3 first, float3 second)
-{
-    const float4 xy = (float4)(first.x, second.x, first.x, second.x) +
-                      (float4)(first.y, first.y, second.y, second.y);
-    return (float8)(xy + first.z, xy + second.z);
-}
-
-static int least_of(float8 values)
-{
-    const int4 is_high4 = values.hi < values.lo;
-    const float4 four = select(values.lo, values.hi, is_high4);
-    const int4 index4 = select((int4)(0, 1, 2, 3), (int4)(4, 5, 6, 7), is_high4);
-    const int2 is_high2 = four.hi < four.lo;
-    const float2 two = select(four.lo, four.hi, is_high2);
-    const int2 index2 = select(index4.lo, index4.hi, is_high2);
-    return two.y < two.x ? index2.y : index2.x;
-}
-
-/* One of the eight floats around a place just ahead of the point. One of them is on the side,
- * if `direction` leads there by RSH_GRAZING: so is the place, and the float that is farther to
- * that side on each axis. */
-static float3 rounded_to_side(twofold3 point, float3 side, float3 direction)
-{
-    const float3 ahead = RSH_PLACE_AHEAD * 0x1p-24f * largest3(fabs(point.high)) * direction;
-    const twofold3 place = gathered(point.high, point.low + ahead);
-    const float3 next = next_floats(place.high, place.low);
-    const float scale = scale_to_one(largest3(fabs(place.high)));
-    const float3 a = scale * (ahead - place.low);
-    const float3 b = scale * ((next - place.high) - place.low + ahead);
-    const float8 along = sums_of_choices(a * direction, b * direction);
-    const float8 height = sums_of_choices(a * side, b * side);
-    const float8 error = 0x1p-21f * sums_of_choices(fabs(a * side), fabs(b * side));
-    const float8 badness =
-        sums_of_choices(a * a, b * b) - (1.0f - RSH_ALONG_SHARE) * along * along;
-    const int i = least_of(select(badness, (float8)(INFINITY), height < error));
-    return (float3)(i & 1 ? next.x : place.high.x, i & 2 ? next.y : place.high.y,
-                    i & 4 ? next.z : place.high.z);
-}
-
-/* Where a ray may start, before it is rounded. side: the geometric normal, towards the side that
- * the ray leaves to. is_skipped: the ray will not hit the triangle. */
-static twofold3 leave_surface(const surface_hit* surface, const departure* from, float3 side,
-                              bool is_skipped)
-{
-    const float margin =
-        2.0f * from->error + 0x1p-124f + (is_skipped ? 0.0f : 0x1p-18f * surface->edges.extent);
-    const twofold3 point = exact_sum3(from->point, margin * side);
-    return gathered(point.high, point.low + from->rest);
+    const floatv off = (floatv)(is_skipped ? 0.0f : 0x1p-18f) * surface->edges.extent;
+    const floatv margin = 2.0f * from->error + 0x1p-124f + off;
+    const twofold3v point = exact_sum3_v(from->point, scaled_v(margin, side));
+    return gathered_v(point.high, sum_v(point.low, from->rest));
 }
 
 #endif

@@ -1,45 +1,47 @@
-/* fresnel.h - how light splits at the surface of a dielectric (Born and Wolf, section 1.5). */
+/* fresnel.h - how light splits at the surfaces of dielectrics (Born and Wolf, section 1.5). */
 #ifndef RSH_SHADE_FRESNEL_H
 #define RSH_SHADE_FRESNEL_H
 
 #include "shade/surface.h"
 
-typedef struct dielectric {
-    float eta;       /* index of refraction behind the surface / before it                   */
-    float cosine;    /* of the angle between viewer and normal; negative where an interpolated
-                        normal faces away                                                    */
-    float refracted; /* eta * cosine of the refracted angle; 0: total internal reflection     */
-} dielectric;
+typedef struct dielectric_lanes {
+    floatv eta;       /* index of refraction behind the surface / before it                   */
+    floatv cosine;    /* of the angle between viewer and normal; negative where an interpolated
+                         normal faces away                                                    */
+    floatv refracted; /* eta * cosine of the refracted angle; 0: total internal reflection    */
+} dielectric_lanes;
 
 /* Snell's law: sin = eta sin', hence (eta cos')^2 = eta^2 - sin^2 = (eta - 1)(eta + 1) + cos^2,
  * a form in which nothing cancels near eta = 1. An index that is not positive and finite counts
  * as 1. Beyond 2^60 nothing changes but that squares overflow: all light is reflected. */
-static dielectric dielectric_at(const surface_hit* surface, float index)
+static dielectric_lanes dielectrics_at(const surface_lanes* surface, floatv index)
 {
-    if (!(index > 0.0f) || isinf(index)) index = 1.0f;
-    dielectric at;
-    index = clamp(index, 0x1p-60f, 0x1p60f);
-    at.eta = surface->is_outside ? index : 1.0f / index;
-    at.cosine = fmin(fmax(-dot3(surface->incident, surface->normal), -1.0f), 1.0f);
-    at.refracted = sqrt(fmax((at.eta - 1.0f) * (at.eta + 1.0f) + at.cosine * at.cosine, 0.0f));
+    const floatv zero = (floatv)(0.0f), one = (floatv)(1.0f);
+    dielectric_lanes at;
+    index = select(one, index, (index > zero) & (index < (floatv)(INFINITY)));
+    index = clamp(index, (floatv)(0x1p-60f), (floatv)(0x1p60f));
+    at.eta = select(one / index, index, surface->is_outside);
+    at.cosine = fmin(fmax(-dot_v(surface->incident, surface->normal), -one), one);
+    at.refracted = sqrt(fmax((at.eta - one) * (at.eta + one) + at.cosine * at.cosine, zero));
     return at;
 }
 
 /* Mean of the reflectances of both polarizations. */
-static float reflectance(dielectric at)
+static floatv reflectance(const dielectric_lanes* at)
 {
-    if (!(at.refracted > 0.0f)) return 1.0f;
-    const float cosine = fabs(at.cosine);
-    const float across = (cosine - at.refracted) / (cosine + at.refracted);
-    const float scaled = at.eta * at.eta * cosine;
-    const float along = (scaled - at.refracted) / (scaled + at.refracted);
-    return 0.5f * (across * across + along * along);
+    const floatv cosine = fabs(at->cosine);
+    const floatv across = (cosine - at->refracted) / (cosine + at->refracted);
+    const floatv scaled = at->eta * at->eta * cosine;
+    const floatv along = (scaled - at->refracted) / (scaled + at->refracted);
+    const floatv mean = 0.5f * (across * across + along * along);
+    return select((floatv)(1.0f), mean, at->refracted > (floatv)(0.0f));
 }
 
 /* Meaningless under total internal reflection, where its weight is 0. */
-static float3 refract_ray(const surface_hit* surface, dielectric at)
+static float3v refracted_directions(const surface_lanes* surface, const dielectric_lanes* at)
 {
-    return unit3(surface->incident + (at.cosine - at.refracted) * surface->normal);
+    const float3v turn = scaled_v(at->cosine - at->refracted, surface->normal);
+    return unit_v(sum_v(surface->incident, turn));
 }
 
 #endif

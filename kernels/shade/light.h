@@ -5,7 +5,7 @@
 #define RSH_SHADE_LIGHT_H
 
 #include "shade/grazing.h"
-#include "shade/lanes/surface.h"
+#include "shade/surface.h"
 
 typedef struct light_arrival {
     float3v direction; /* unit, from the surface to the light */

@@ -7,30 +7,46 @@
 #define RSH_SHADE_SCREEN_ORDER_H
 
 #include "rays/types.h"
+#include "shade/surface.h"
 #include "shade/types.h"
 
-/* The cell at a place of the curve, in squares that grow from 2 x 2: each turns what is below it. */
-static uint2 hilbert_cell(uint place)
+typedef struct cells {
+    uintv x, y;
+} cells;
+
+/* The cells at places of the curve, in squares that grow from 2 x 2: each turns what is below it. */
+static cells hilbert_cells(uintv place)
 {
-    uint2 cell = (uint2)(0);
-    for (uint side = 1; side < RSH_SCREEN_SQUARE; side *= 2, place /= 4) {
-        const uint right = place >> 1 & 1, up = (place ^ right) & 1;
-        if (!up) cell = (right ? side - 1 - cell : cell).yx;
-        cell += side * (uint2)(right, up);
+    cells at = {(uintv)(0u), (uintv)(0u)};
+    for (uint side = 1; side < RSH_SCREEN_SQUARE; side *= 2, place = place >> 2) {
+        const uintv right = place >> 1 & 1u, up = (place ^ right) & 1u;
+        const intv is_back = right != (uintv)(0u), is_up = up != (uintv)(0u);
+        const cells turned = {select(at.y, side - 1u - at.y, is_back),
+                              select(at.x, side - 1u - at.x, is_back)};
+        at.x = select(turned.x, at.x, is_up) + side * right;
+        at.y = select(turned.y, at.y, is_up) + side * up;
     }
-    return cell;
+    return at;
 }
 
-/* The ray at a place of a wave; RSH_NO_RAY: that part of a square lies outside of the screen. */
-static uint ray_at_place(wave_part wave, uint place)
+/* The rays at RSH_WIDTH places of a wave; RSH_NO_RAY: from `end` on, or that part of a square lies
+ * outside of the screen. They lie in one square or two. */
+static void rays_at_places(wave_part wave, uint first, uint end, uint* index)
 {
-    if (wave.height == 1) return place;
+    number_lanes(first, end, index);
+    if (wave.height == 1) return;
     const uint square = RSH_SCREEN_SQUARE * RSH_SCREEN_SQUARE;
     const uint columns = (wave.width + RSH_SCREEN_SQUARE - 1) / RSH_SCREEN_SQUARE;
-    const uint2 corner =
-        RSH_SCREEN_SQUARE * (uint2)(place / square % columns, place / square / columns);
-    const uint2 at = corner + hilbert_cell(place % square);
-    return at.x < wave.width && at.y < wave.height ? at.y * wave.width + at.x : RSH_NO_RAY;
+    const uint one = first / square, two = one + 1;
+    const uintv place = load_lanes(index);
+    const intv in_two = place >= (uintv)(two * square);
+    const uintv column = select((uintv)(one % columns), (uintv)(two % columns), in_two);
+    const uintv row = select((uintv)(one / columns), (uintv)(two / columns), in_two);
+    const cells at = hilbert_cells(place % square);
+    const uintv x = column * RSH_SCREEN_SQUARE + at.x, y = row * RSH_SCREEN_SQUARE + at.y;
+    const intv is_inside =
+        (place != (uintv)(RSH_NO_RAY)) & (x < (uintv)(wave.width)) & (y < (uintv)(wave.height));
+    store_lanes(select((uintv)(RSH_NO_RAY), y * wave.width + x, is_inside), index);
 }
 
 #endif

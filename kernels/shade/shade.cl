@@ -28,7 +28,6 @@ typedef struct material_lanes {
 static float3 texture_colour(const surface_buffers* buffers, const image_list* images,
                              __global const float* texcoords, rsh_hit hit, uint texture)
 {
-    if (!RSH_TEXTURE) return (float3)(1.0f);
     if (texture >= images->texture_count) return (float3)(1.0f);
     uint corner[3];
     triangle_vertices(buffers->mesh, buffers->indices, hit.primitive, corner);
@@ -38,39 +37,41 @@ static float3 texture_colour(const surface_buffers* buffers, const image_list* i
     return sample_image(images, texture, uv, false);
 }
 
-/* The materials, with their textures, of the lanes in `bits`. */
-static void load_materials(const surface_buffers* buffers, const image_list* images,
-                           __global const float* texcoords,
-                           __global const rsh_material* materials, const ray_lanes* block,
-                           const surface_lanes* surface, uint bits, material_lanes* lit)
+/* The texture colours of the lanes in `bits`. */
+static float3v texture_colours(const surface_buffers* buffers, const image_list* images,
+                               __global const float* texcoords,
+                               __global const rsh_material* materials, const ray_lanes* block,
+                               const surface_lanes* surface, uint bits)
 {
-    float row[13][RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
+    if (!RSH_TEXTURE) return lanes_of((float3)(1.0f));
+    float row[3][RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
     store_lanes(block->u, u);
     store_lanes(block->v, v);
     for (uint k = 0; k < RSH_WIDTH; ++k) {
-        float3 emission = (float3)(0.0f), ambient = emission, diffuse = emission;
-        float4 specular = (float4)(0.0f);
-        if (bits >> k & 1) {
-            __global const rsh_material* material = materials + surface->material[k];
-            const rsh_hit hit = {0.0f, u[k], v[k], block->primitive[k]};
-            const float3 texture =
-                texture_colour(buffers, images, texcoords, hit, material->texture);
-            emission = material->emission.xyz;
-            ambient = material->ambient.xyz * texture;
-            diffuse = material->diffuse.xyz * texture;
-            specular = material->specular;
-        }
-        put_in_lane(emission, k, row);
-        put_in_lane(ambient, k, row + 3);
-        put_in_lane(diffuse, k, row + 6);
-        put_in_lane(specular.xyz, k, row + 9);
-        row[12][k] = fmax(specular.w, 0.0f);
+        const rsh_hit hit = {0.0f, u[k], v[k], block->primitive[k]};
+        float3 colour = (float3)(1.0f);
+        if (bits >> k & 1)
+            colour = texture_colour(buffers, images, texcoords, hit,
+                                    materials[surface->material[k]].texture);
+        put_in_lane(colour, k, row);
     }
-    lit->emission = load_v(row);
-    lit->ambient = load_v(row + 3);
-    lit->diffuse = load_v(row + 6);
-    lit->specular = load_v(row + 9);
-    lit->shininess = load_lanes(row[12]);
+    return load_v(row);
+}
+
+/* The materials of a block; texture: the colours of their textures. */
+static void load_materials(__global const rsh_material* materials, const surface_lanes* surface,
+                           float3v texture, material_lanes* lit)
+{
+    floatv row[4];
+    load_colours(&materials->emission, surface->material, row);
+    lit->emission = (float3v){row[0], row[1], row[2]};
+    load_colours(&materials->ambient, surface->material, row);
+    lit->ambient = product_v((float3v){row[0], row[1], row[2]}, texture);
+    load_colours(&materials->diffuse, surface->material, row);
+    lit->diffuse = product_v((float3v){row[0], row[1], row[2]}, texture);
+    load_colours(&materials->specular, surface->material, row);
+    lit->specular = (float3v){row[0], row[1], row[2]};
+    lit->shininess = fmax(row[3], (floatv)(0.0f));
     lit->is_shiny = largest_v(fabs_v(lit->specular)) > (floatv)(0.0f);
 }
 
@@ -112,34 +113,39 @@ static float3v direct_light(const surface_lanes* surface, const light_list* ligh
     return sum;
 }
 
-/* What the lanes without a surface see. */
-static void see_environment(const image_list* images, uint image, float3 plain,
-                            const ray_lanes* block, uint bits, float (*seen)[RSH_WIDTH])
+/* What the lanes in `bits` see, which hit nothing. */
+static float3v see_environment(const image_list* images, uint image, float3 plain,
+                               const ray_lanes* block, uint bits)
 {
-    float row[3][RSH_WIDTH];
-    if (RSH_ENVIRONMENT_IMAGE && bits) store_v(block->direction, row);
+    if (!RSH_ENVIRONMENT_IMAGE) return lanes_of(plain);
+    float row[3][RSH_WIDTH], seen[3][RSH_WIDTH];
+    store_v(block->direction, row);
     for (uint k = 0; k < RSH_WIDTH; ++k) {
-        if (!(bits >> k & 1)) continue;
-        float3 direction = (float3)(0.0f);
-        if (RSH_ENVIRONMENT_IMAGE) direction = (float3)(row[0][k], row[1][k], row[2][k]);
-        put_in_lane(environment_colour(images, image, plain, direction), k, seen);
+        const float3 direction = {row[0][k], row[1][k], row[2][k]};
+        float3 colour = (float3)(0.0f);
+        if (bits >> k & 1) colour = environment_colour(images, image, plain, direction);
+        put_in_lane(colour, k, seen);
     }
+    return load_v(seen);
 }
 
 /* Adds what the lanes in `bits` see; the rest of the block becomes black if it is the first. */
 static void add_colours(const uint* index, uint bits, __global const float4* weights,
-                        float (*seen)[RSH_WIDTH], bool is_first, __global float4* colour)
+                        float3v seen, bool is_first, __global float4* colour)
 {
-    for (uint k = 0; k < RSH_WIDTH; ++k) {
-        const uint i = index[k];
-        const bool is_seen = bits >> k & 1;
-        if (i == RSH_NO_RAY || !(is_seen || is_first)) continue;
-        float4 sum = colour[i];
-        if (is_first) sum.xyz = (float3)(0.0f);
-        const float3 weight = is_seen && weights ? weights[i].xyz : (float3)(1.0f);
-        if (is_seen) sum.xyz += weight * (float3)(seen[0][k], seen[1][k], seen[2][k]);
-        colour[i] = sum;
-    }
+    const uint all = lanes_with_ray(index);
+    uint filled[RSH_WIDTH];
+    floatv row[4];
+    fill_lanes(load_lanes(index), all, filled);
+    load_rows4((__global const float*)colour, 4, filled, row);
+    const float3v none = lanes_of((float3)(0.0f));
+    const float3v before = is_first ? none : (float3v){row[0], row[1], row[2]};
+    if (weights) seen = product_v(load_weights(index, weights), seen);
+    const float3v sum = select_v(before, sum_v(before, seen), lanes_of_bits(bits));
+    row[0] = sum.x;
+    row[1] = sum.y;
+    row[2] = sum.z;
+    store_rows4(row, is_first ? all : bits, (__global float*)colour, 4, index);
 }
 
 static uintv hidden_lights(__global const uint* occlusion, const uint* index, uint bits)
@@ -170,7 +176,7 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
         uint index[RSH_WIDTH];
         ray_lanes block;
         surface_lanes surface;
-        float seen[3][RSH_WIDTH];
+        float3v seen = lanes_of((float3)(0.0f));
         number_lanes(i, mine.end, index);
         load_rays(index, rays, hits, &block);
         const uint bits = RSH_LANE_BITS(block.is_active);
@@ -179,14 +185,17 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
             const light_list near = {lights, light_count,
                                      hidden_lights(occlusion, index, found)};
             material_lanes lit;
-            load_materials(&buffers, &images, texcoords, materials, &block, &surface, found,
+            load_materials(materials, &surface,
+                           texture_colours(&buffers, &images, texcoords, materials, &block,
+                                           &surface, found),
                            &lit);
-            store_v(sum_v(sum_v(lit.emission, product_v(lit.ambient, given_ambient)),
-                          direct_light(&surface, &near, &lit, found)),
-                    seen);
+            seen = sum_v(sum_v(lit.emission, product_v(lit.ambient, given_ambient)),
+                         direct_light(&surface, &near, &lit, found));
         }
-        see_environment(&images, environment_image, environment.xyz, &block, bits & ~found,
-                        seen);
+        if (bits & ~found)
+            seen = select_v(see_environment(&images, environment_image, environment.xyz, &block,
+                                            bits & ~found),
+                            seen, lanes_of_bits(found));
         add_colours(index, bits, weights, seen, is_first, colour);
     }
 }

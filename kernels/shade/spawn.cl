@@ -24,25 +24,23 @@ __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
     const uint kind = is_refracted ? RSH_REFRACTED : RSH_REFLECTED;
     const strided_range mine = my_elements(ray_count);
     uint active = 0;
-    for (uint i = mine.begin; i < mine.end; i += mine.step) {
-        rsh_ray spawned = inactive_ray();
-        float3 weight = (float3)(0.0f);
-        branching_hit at;
-        const float3 seen = weights ? weights[i].xyz : (float3)(1.0f);
-        if (find_branches(&buffers, materials, 1u << kind, seen, min_weight, rays[i], hits[i],
-                          &at)) {
-            const departure from = departure_of(&at.surface, rays[i], hits[i]);
-            const rsh_ray ray = branch_ray(&buffers, materials, &at, &from, hits[i].primitive,
-                                           kind, spawned_skip != 0);
-            if (is_active(ray)) {
-                spawned = ray;
-                weight = at.weight[kind];
-                ++active;
-            }
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
+        uint index[RSH_WIDTH];
+        ray_lanes block;
+        branch_lanes at;
+        sent_rays sent;
+        sent.bits = 0;
+        number_lanes(i, mine.end, index);
+        load_rays(index, rays, hits, &block);
+        const uint bits = candidate_lanes(&buffers, materials, 1u << kind, block.primitive);
+        if (bits && find_branches(&buffers, materials, 1u << kind, load_weights(index, weights),
+                                  min_weight, &block, bits, &at)) {
+            const departure_lanes from = departures_of(&at.surface, &block);
+            sent = send_branches(&at, &from, kind, spawned_skip != 0);
         }
-        spawned_rays[i] = spawned;
-        spawned_weights[i] = (float4)(weight, 0.0f);
-        store_skip(spawned_skip, i, spawned, hits[i]);
+        store_sent_rays(&sent, index, block.primitive, spawned_rays, spawned_skip);
+        store_sent_weights(at.weight[kind], sent.bits, index, spawned_weights);
+        active += popcount(sent.bits);
     }
     add_active(active_count, active);
 }

@@ -5,38 +5,39 @@
  *   active_count  in/out  grows by the active rays; may be NULL
  */
 #include "lanes/stride.h"
-#include "shade/lanes/departure.h"
 #include "shade/light.h"
 #include "shade/spawned_ray.h"
+#include "shade/start.h"
 
 /* End of a ray to a light at t = 1: a triangle that the light lies on, at most 11 times as wide
  * as the ray is long and not seen flatly, is found at 1 - 2^-16 or later: t errs by 20u of 12 times
  * the ray (mesh/intersect.h), 2^-16 is 256u. */
 #define RSH_BEFORE_LIGHT (1.0f - 0x1p-16f)
 
-static bool is_lit(__global const rsh_material* material)
+/* Of the lanes in `bits`, those whose material sends light back. */
+static uint lit_lanes(__global const rsh_material* materials, const surface_lanes* surface,
+                      uint bits)
 {
-    return largest3(fabs(material->diffuse.xyz)) > 0.0f ||
-           largest3(fabs(material->specular.xyz)) > 0.0f;
+    floatv diffuse[4], specular[4];
+    load_colours(&materials->diffuse, surface->material, diffuse);
+    load_colours(&materials->specular, surface->material, specular);
+    const floatv most =
+        fmax(largest_v(fabs_v((float3v){diffuse[0], diffuse[1], diffuse[2]})),
+             largest_v(fabs_v((float3v){specular[0], specular[1], specular[2]})));
+    return bits & RSH_LANE_BITS(most > (floatv)(0.0f));
 }
 
-/* What a block of hits sends towards a light. */
-typedef struct shadow_rays {
-    float3v origin, direction;
-    float tmax;
-} shadow_rays;
-
-/* Those of the lanes in `bits` that send a ray, a bit each. None goes to a light closer to the
- * surface than the origin's offset. */
-static uint find_shadow_rays(rsh_light light, const surface_lanes* surface,
-                             const ray_lanes* block, uint bits, bool is_skipped,
-                             shadow_rays* made)
+/* Those that the lanes in `bits` send. None goes to a light closer to the surface than the origin's
+ * offset. */
+static void send_to_light(rsh_light light, const surface_lanes* surface, const ray_lanes* block,
+                          uint bits, bool is_skipped, sent_rays* made)
 {
     light_arrival arrival;
-    bits &= RSH_LANE_BITS(light_arrives(light, surface, &arrival));
-    if (bits == 0) return 0;
+    made->bits = bits & RSH_LANE_BITS(light_arrives(light, surface, &arrival));
+    if (made->bits == 0) return;
     const departure_lanes from = departures_of(surface, block);
-    made->origin = rounded_starts(surface, &from, surface->geometric, is_skipped);
+    const float3v side = surface->geometric;
+    made->origin = rounded_up(leave_surfaces(surface, &from, side, is_skipped), side);
     made->direction = arrival.direction;
     made->tmax = INFINITY;
     if (is_positional(light)) {
@@ -47,37 +48,7 @@ static uint find_shadow_rays(rsh_light light, const surface_lanes* surface,
     const intv is_made =
         active_v(made->origin, made->direction, zero, (floatv)(made->tmax)) &
         (dot_v(surface->geometric, unit_v(made->direction)) > (floatv)(RSH_GRAZING));
-    return bits & RSH_LANE_BITS(is_made);
-}
-
-static uint lit_lanes(__global const rsh_material* materials, const surface_lanes* surface,
-                      uint bits)
-{
-    uint lit = 0;
-    for (uint k = 0; k < RSH_WIDTH; ++k)
-        if (bits >> k & 1) lit |= (uint)is_lit(materials + surface->material[k]) << k;
-    return lit;
-}
-
-static void store_shadow_rays(const shadow_rays* made, uint bits, const uint* index,
-                              const uint* primitive, __global rsh_ray* rays,
-                              __global uint* skip)
-{
-    float row[6][RSH_WIDTH];
-    if (bits) {
-        store_v(made->origin, row);
-        store_v(made->direction, row + 3);
-    }
-    for (uint k = 0; k < RSH_WIDTH; ++k) {
-        if (index[k] == RSH_NO_RAY) continue;
-        const bool is_made = bits >> k & 1;
-        rsh_ray ray = inactive_ray();
-        if (is_made)
-            ray = ray_from((float3)(row[0][k], row[1][k], row[2][k]),
-                           (float3)(row[3][k], row[4][k], row[5][k]), made->tmax);
-        rays[index[k]] = ray;
-        if (skip) skip[index[k]] = is_made ? primitive[k] : RSH_NO_HIT;
-    }
+    made->bits &= RSH_LANE_BITS(is_made);
 }
 
 __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
@@ -98,8 +69,9 @@ __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
         uint index[RSH_WIDTH];
         ray_lanes block;
         surface_lanes surface;
-        shadow_rays made;
+        sent_rays made;
         uint bits = 0;
+        made.bits = 0;
         number_lanes(i, mine.end, index);
         if (source.casts_shadow) bits = lanes_with_hit(index, hits, mesh.triangle_count);
         if (bits) {
@@ -107,10 +79,9 @@ __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
             bits = find_surfaces(&buffers, &block, bits, &surface);
             bits = lit_lanes(materials, &surface, bits);
         }
-        if (bits)
-            bits = find_shadow_rays(source, &surface, &block, bits, spawned_skip != 0, &made);
-        store_shadow_rays(&made, bits, index, block.primitive, spawned_rays, spawned_skip);
-        active += popcount(bits);
+        if (bits) send_to_light(source, &surface, &block, bits, spawned_skip != 0, &made);
+        store_sent_rays(&made, index, block.primitive, spawned_rays, spawned_skip);
+        active += popcount(made.bits);
     }
     add_active(active_count, active);
 }

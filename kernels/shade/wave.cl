@@ -6,15 +6,56 @@
  *                             reflected, refracted; RSH_NO_RAY: none
  *   counts               of each work-item, the rays of either kind; then (reduce/scan_counts.cl)
  *                        where they begin
- * A work-item has a range of places, see ray_at_place.
+ * A work-item has a range of places, see rays_at_places.
  */
 #include "lanes/stride.h"
 #include "shade/branch.h"
 #include "shade/screen_order.h"
 
-static float3 weight_of(__global const float4* weights, uint ray)
+/* Rays that wait until a block is full of them: where few of a screen are sent on, no lane idles. */
+typedef struct waiting_rays {
+    uint index[2 * RSH_WIDTH];
+    uint count;
+} waiting_rays;
+
+/* The first RSH_WIDTH of them; RSH_NO_RAY: where there are not as many. */
+static void take_block(waiting_rays* waiting, uint* index)
 {
-    return weights ? weights[ray].xyz : (float3)(1.0f);
+    const uint taken = min(waiting->count, (uint)RSH_WIDTH);
+    for (uint k = 0; k < RSH_WIDTH; ++k) index[k] = k < taken ? waiting->index[k] : RSH_NO_RAY;
+    waiting->count -= taken;
+    for (uint k = 0; k < waiting->count; ++k) waiting->index[k] = waiting->index[taken + k];
+}
+
+/* Of RSH_WIDTH rays, those that may be sent on wait; of the others it is noted that none is. */
+static void note_candidates(const surface_buffers* buffers,
+                            __global const rsh_material* materials, uint kinds,
+                            __global const rsh_hit* hits, const uint* index,
+                            waiting_rays* waiting, __global uint2* branches)
+{
+    uint primitive[RSH_WIDTH];
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        primitive[k] = index[k] == RSH_NO_RAY ? RSH_NO_HIT : hits[index[k]].primitive;
+    const uint bits = candidate_lanes(buffers, materials, kinds, primitive);
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        if (bits >> k & 1)
+            waiting->index[waiting->count++] = index[k];
+        else if (index[k] != RSH_NO_RAY)
+            branches[index[k]] = (uint2)(RSH_NO_RAY);
+    }
+}
+
+/* Numbers the rays that a block sends on, of either kind. */
+static void number_branches(const branch_lanes* at, const uint* index, uint* sum,
+                            __global uint2* branches)
+{
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        if (index[k] == RSH_NO_RAY) continue;
+        uint2 branch = (uint2)(RSH_NO_RAY);
+        if (at->bits[RSH_REFLECTED] >> k & 1) branch.x = sum[RSH_REFLECTED]++;
+        if (at->bits[RSH_REFRACTED] >> k & 1) branch.y = sum[RSH_REFRACTED]++;
+        branches[index[k]] = branch;
+    }
 }
 
 __kernel void rsh_wave_count(mesh_view mesh, __global const float* vertices,
@@ -30,37 +71,53 @@ __kernel void rsh_wave_count(mesh_view mesh, __global const float* vertices,
                                      normals, material_ids, material_count};
     const uint me = get_global_id(0), items = get_global_size(0);
     const strided_range mine = my_range(part.count);
-    uint2 sum = (uint2)(0);
-    for (uint place = mine.begin; place < mine.end; ++place) {
-        const uint i = ray_at_place(part, part.first + place);
-        if (i == RSH_NO_RAY) continue;
-        branching_hit at;
-        uint2 branch = (uint2)(RSH_NO_RAY);
-        if (find_branches(&buffers, materials, kinds, weight_of(weights, i), min_weight,
-                          rays[i], hits[i], &at)) {
-            if (has_branch(&at, RSH_REFLECTED)) branch.x = sum.x++;
-            if (has_branch(&at, RSH_REFRACTED)) branch.y = sum.y++;
+    uint sum[RSH_BRANCHES] = {0, 0}, place = mine.begin;
+    waiting_rays waiting;
+    waiting.count = 0;
+    for (;;) {
+        uint index[RSH_WIDTH];
+        for (; place < mine.end && waiting.count < RSH_WIDTH; place += RSH_WIDTH) {
+            rays_at_places(part, part.first + place, part.first + mine.end, index);
+            note_candidates(&buffers, materials, kinds, hits, index, &waiting, branches);
         }
-        branches[i] = branch;
+        if (waiting.count == 0) break;
+        ray_lanes block;
+        branch_lanes at;
+        take_block(&waiting, index);
+        load_rays(index, rays, hits, &block);
+        find_branches(&buffers, materials, kinds, load_weights(index, weights), min_weight,
+                      &block, RSH_LANE_BITS(block.is_active), &at);
+        number_branches(&at, index, sum, branches);
     }
-    counts[me] = sum.x;
-    counts[items + me] = sum.y;
+    counts[me] = sum[RSH_REFLECTED];
+    counts[items + me] = sum[RSH_REFRACTED];
 }
 
-/* What a work-item of rsh_wave_spawn writes to. */
-typedef struct next_wave {
-    __global rsh_ray* rays;
-    __global float4* weights;
-    __global uint* skip;
-} next_wave;
-
-static void store_branch(const next_wave* to, uint place, rsh_ray ray, float3 weight,
-                         rsh_hit hit)
+/* Where the rays that a block sends on stand in the next wave: counted from `begin` now. */
+static void place_branches(const branch_lanes* at, const uint* index, uint2 begin,
+                           uint (*places)[RSH_WIDTH], __global uint2* branches)
 {
-    const bool is_made = is_active(ray);
-    to->rays[place] = is_made ? ray : inactive_ray();
-    to->weights[place] = is_made ? (float4)(weight, 0.0f) : (float4)(0.0f);
-    store_skip(to->skip, place, ray, hit);
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        places[RSH_REFLECTED][k] = places[RSH_REFRACTED][k] = RSH_NO_RAY;
+        if (index[k] == RSH_NO_RAY) continue;
+        uint2 branch = branches[index[k]];
+        if (at->bits[RSH_REFLECTED] >> k & 1) branch.x += begin.x;
+        if (at->bits[RSH_REFRACTED] >> k & 1) branch.y += begin.y;
+        branches[index[k]] = branch;
+        places[RSH_REFLECTED][k] = branch.x;
+        places[RSH_REFRACTED][k] = branch.y;
+    }
+}
+
+static void note_senders(__global const uint2* branches, const uint* index,
+                         waiting_rays* waiting)
+{
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        if (index[k] == RSH_NO_RAY) continue;
+        const uint2 branch = branches[index[k]];
+        if (branch.x != RSH_NO_RAY || branch.y != RSH_NO_RAY)
+            waiting->index[waiting->count++] = index[k];
+    }
 }
 
 __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
@@ -75,30 +132,34 @@ __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
-    const next_wave to = {spawned_rays, spawned_weights, spawned_skip};
     const uint me = get_global_id(0), items = get_global_size(0);
     const uint2 begin = (uint2)(counts[me], counts[items + me]);
     const strided_range mine = my_range(part.count);
-    for (uint place = mine.begin; place < mine.end; ++place) {
-        const uint i = ray_at_place(part, part.first + place);
-        if (i == RSH_NO_RAY) continue;
-        uint2 branch = branches[i];
-        if (branch.x == RSH_NO_RAY && branch.y == RSH_NO_RAY) continue;
-        const rsh_ray ray = rays[i];
-        const rsh_hit hit = hits[i];
-        branching_hit at;
-        if (!find_branches(&buffers, materials, kinds, weight_of(weights, i), min_weight, ray,
-                           hit, &at))
-            continue;
-        const departure from = departure_of(&at.surface, ray, hit);
-        for (uint kind = 0; kind < RSH_BRANCHES; ++kind) {
-            if (!has_branch(&at, kind)) continue;
-            const uint to_place = kind ? (branch.y += begin.y) : (branch.x += begin.x);
-            store_branch(&to, to_place,
-                         branch_ray(&buffers, materials, &at, &from, hit.primitive, kind, true),
-                         at.weight[kind], hit);
+    uint place = mine.begin;
+    waiting_rays waiting;
+    waiting.count = 0;
+    for (;;) {
+        uint index[RSH_WIDTH], places[RSH_BRANCHES][RSH_WIDTH];
+        for (; place < mine.end && waiting.count < RSH_WIDTH; place += RSH_WIDTH) {
+            rays_at_places(part, part.first + place, part.first + mine.end, index);
+            note_senders(branches, index, &waiting);
         }
-        branches[i] = branch;
+        if (waiting.count == 0) break;
+        ray_lanes block;
+        branch_lanes at;
+        take_block(&waiting, index);
+        load_rays(index, rays, hits, &block);
+        if (!find_branches(&buffers, materials, kinds, load_weights(index, weights), min_weight,
+                           &block, RSH_LANE_BITS(block.is_active), &at))
+            continue;
+        place_branches(&at, index, begin, places, branches);
+        const departure_lanes from = departures_of(&at.surface, &block);
+        for (uint kind = 0; kind < RSH_BRANCHES; ++kind) {
+            if (at.bits[kind] == 0) continue;
+            const sent_rays sent = send_branches(&at, &from, kind, true);
+            store_sent_rays(&sent, places[kind], block.primitive, spawned_rays, spawned_skip);
+            store_sent_weights(at.weight[kind], sent.bits, places[kind], spawned_weights);
+        }
     }
 }
 
@@ -110,11 +171,15 @@ __kernel void rsh_wave_gather(wave_part part, __global const uint2* branches,
                               __global const float4* next, __global float4* colour)
 {
     const strided_range mine = my_range(part.count);
-    for (uint place = mine.begin; place < mine.end; ++place) {
-        const uint i = ray_at_place(part, part.first + place);
-        if (i == RSH_NO_RAY) continue;
-        const uint2 branch = branches[i];
-        if (branch.x != RSH_NO_RAY) colour[i].xyz += next[branch.x].xyz;
-        if (branch.y != RSH_NO_RAY) colour[i].xyz += next[branch.y].xyz;
+    for (uint place = mine.begin; place < mine.end; place += RSH_WIDTH) {
+        uint index[RSH_WIDTH];
+        rays_at_places(part, part.first + place, part.first + mine.end, index);
+        for (uint k = 0; k < RSH_WIDTH; ++k) {
+            const uint i = index[k];
+            if (i == RSH_NO_RAY) continue;
+            const uint2 branch = branches[i];
+            if (branch.x != RSH_NO_RAY) colour[i].xyz += next[branch.x].xyz;
+            if (branch.y != RSH_NO_RAY) colour[i].xyz += next[branch.y].xyz;
+        }
     }
 }

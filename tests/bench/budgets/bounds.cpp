@@ -29,8 +29,8 @@ const std::vector<Bound>& all_bounds() {
         {"projection", "camera", 25, "camera/project.h", "paddings", 1, 1, 1},
         {"barycentric_point", "spawn", 15, "shade/departure.h", "u extent", 5.2, 0, 8},
         {"departure_point", "spawn", 15, "shade/departure.h", "its own", 1, 1, 1},
-        {"origin_side", "spawn", 18, "shade/departure.h", "margin", 1, 1, 1},
-        {"origin_distance", "spawn", 18, "shade/departure.h", "ulp", 2, 2, 2},
+        {"origin_side", "spawn", 18, "shade/start.h", "margin", 1, 1, 1},
+        {"origin_distance", "spawn", 18, "shade/start.h", "ulp", 2, 2, 2},
         {"mirror", "spawn", 9, "shade/mirror.h", "u", 1.001, 1.001, 2},
         {"grazing", "spawn", 6, "shade/grazing.h", "of 2^-16", 1.033, 1.033, 1.033},
     };

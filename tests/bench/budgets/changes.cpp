@@ -62,16 +62,16 @@ const std::vector<Change> kOfLeaving = {
 
 const std::vector<Change> kOfSpawn = {
     granted("#define RSH_GRAZING 0x1p-16f"),
-    granted("from->error = 0x1p-21f * surface->edges.extent;"),
-    {"const float quotient = a.high / b.high;",
-     "const float quotient = rough(a.high / b.high);"},
-    {"return (twofold){quotient, rest / b.high};",
-     "return (twofold){quotient, rough(rest / b.high)};"},
-    {"const float inverse = 1.0f / sqrt(dot3(w.high, w.high));",
-     "const float inverse = rough(1.0f / rough(sqrt(dot3(w.high, w.high))));"},
-    {"const float along = 1.0f / dot3(normal, d);",
-     "const float along = rough(1.0f / dot3(normal, d));"},
-    {"sqrt(dot3(normal, normal)) +", "rough(sqrt(dot3(normal, normal))) +"},
+    granted("select(0x1p-21f * surface->edges.extent, from->error, is_kept);"),
+    {"const floatv quotient = a.high / b.high;",
+     "const floatv quotient = rough(a.high / b.high);"},
+    {"return (twofoldv){quotient, rest / b.high};",
+     "return (twofoldv){quotient, rough(rest / b.high)};"},
+    {"const floatv inverse = (floatv)(1.0f) / sqrt(dot_v(w.high, w.high));",
+     "const floatv inverse = rough((floatv)(1.0f) / rough(sqrt(dot_v(w.high, w.high))));"},
+    {"const floatv along = (floatv)(1.0f) / dot_v(normal, d);",
+     "const floatv along = rough((floatv)(1.0f) / dot_v(normal, d));"},
+    {"/ sqrt(dot_v(normal, normal)) +", "/ rough(sqrt(dot_v(normal, normal))) +"},
 };
 
 // The struct's last word stands for the constant.

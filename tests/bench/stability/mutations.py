@@ -27,7 +27,7 @@ CONE = ("rays/cone_sphere.h", "sum + 0x1p-17f *", "sum + 0.0f *")
 SINE = ("rays/build_cones.cl", "#define RSH_LEAF_SINE 0x1p-20f", "#define RSH_LEAF_SINE 0.0f")
 TIE = ("traverse/packet16.h", "((uintv)(triangle->index) < packet->primitive[v])",
        "((uintv)(triangle->index) > packet->primitive[v])")
-OFFSET = ("shade/branch.h", "rounded_to_side(start, side, direction)", "from->point")
+OFFSET = ("shade/branch.h", "rounded_to_side(start, side, sent.direction)", "from->point")
 LEAVING = ("mesh/leaving.h", "if (!may_separate(of, ray, triangle)) return false;", "return false;")
 AREA = ("mesh/intersect.h", "(floatv)(0x1p-102f)", "(floatv)(0x1p-24f)")
 

@@ -1,16 +1,34 @@
-/* spawn.cl - the bounds of shade/departure.h, shade/mirror.h and shade/grazing.h. */
+/* spawn.cl - the bounds of shade/departure.h, shade/start.h, shade/mirror.h and shade/grazing.h. */
+
+/* One lane. */
+static float3v lane_of(float3 v) {
+    return (float3v){v.x, v.y, v.z};
+}
+static float3 from_lane(float3v v) {
+    return (float3)(v.x, v.y, v.z);
+}
 
 /* The surface that a ray meets, as far as departures look at it. */
-static bool surface_in(const float* input, surface_hit* surface, rsh_hit* hit) {
+static bool surface_in(const float* input, surface_lanes* surface, ray_lanes* block) {
     const rsh_ray ray = ray_in(input);
-    surface->triangle = triangle_in(input + 6);
+    const triangle_points triangle = triangle_in(input + 6);
+    rsh_hit hit;
     if (!are_moderate(input, AIMED, 30) || !is_active(ray) ||
-        !intersect_one(ray, surface->triangle, hit))
+        !intersect_one(ray, triangle, &hit))
         return false;
-    surface->edges = edges_of(surface->triangle);
-    const float3 normal = triangle_normal(&surface->edges);
-    surface->geometric = dot3(normal, unit3(ray.direction_tmax.xyz)) <= 0.0f ? normal : -normal;
-    return largest3(fabs(normal)) > 0.0f;
+    block->origin = lane_of(ray.origin_tmin.xyz);
+    block->direction = lane_of(ray.direction_tmax.xyz);
+    block->t = hit.t;
+    block->u = hit.u;
+    block->v = hit.v;
+    surface->v0 = lane_of(triangle.v0);
+    surface->v1 = lane_of(triangle.v1);
+    surface->v2 = lane_of(triangle.v2);
+    surface->edges = edges_of_lanes(surface);
+    const float3v normal = triangle_normals(&surface->edges);
+    surface->geometric =
+        dot_v(normal, unit_v(block->direction)) <= 0.0f ? normal : opposite_v(normal);
+    return largest_v(fabs_v(normal)) > 0.0f;
 }
 
 static wide3 exact_normal(triangle_points p) {
@@ -25,22 +43,25 @@ static double plane_distance(triangle_points p, float3 point, float3 rest) {
 }
 
 static float barycentric_point_error(const float* input, float most) {
-    surface_hit surface;
-    rsh_hit hit;
-    departure from;
-    if (!surface_in(input, &surface, &hit)) return -1.0f;
-    take_barycentric_point(&surface, hit, &from);
-    return fabs(plane_distance(surface.triangle, from.point, from.rest)) /
+    surface_lanes surface;
+    ray_lanes block;
+    departure_lanes from;
+    if (!surface_in(input, &surface, &block)) return -1.0f;
+    take_barycentric_points(&surface, &block, 0, &from);
+    return fabs(plane_distance(triangle_in(input + 6), from_lane(from.point),
+                               from_lane(from.rest))) /
            (UNIT * surface.edges.extent);
 }
 
 /* In units of the error that the departure itself says it has. */
 static float departure_point_error(const float* input, float most) {
-    surface_hit surface;
-    rsh_hit hit;
-    if (!surface_in(input, &surface, &hit)) return -1.0f;
-    const departure from = departure_of(&surface, ray_in(input), hit);
-    return fabs(plane_distance(surface.triangle, from.point, from.rest)) / from.error;
+    surface_lanes surface;
+    ray_lanes block;
+    if (!surface_in(input, &surface, &block)) return -1.0f;
+    const departure_lanes from = departures_of(&surface, &block);
+    return fabs(plane_distance(triangle_in(input + 6), from_lane(from.point),
+                               from_lane(from.rest))) /
+           from.error;
 }
 
 #define barycentric_point_input aimed_input
@@ -61,21 +82,21 @@ static void leaving_input(uint* random, float* input) {
 }
 
 typedef struct leaving_ray {
-    surface_hit surface;
-    departure from;
+    surface_lanes surface;
+    departure_lanes from;
     float3 origin;
 } leaving_ray;
 
 static bool leaving_in(const float* input, leaving_ray* leaving) {
-    rsh_hit hit;
-    if (!are_moderate(input + AIMED, 3, 30) || !surface_in(input, &leaving->surface, &hit))
+    ray_lanes block;
+    if (!are_moderate(input + AIMED, 3, 30) || !surface_in(input, &leaving->surface, &block))
         return false;
-    const float3 side = leaving->surface.geometric;
-    const float3 direction = keep_on_side(unit3(vector_in(input + AIMED)), side);
-    if (!(largest3(fabs(direction)) > 0.0f)) return false;
-    leaving->from = departure_of(&leaving->surface, ray_in(input), hit);
-    leaving->origin = rounded_to_side(
-        leave_surface(&leaving->surface, &leaving->from, side, true), side, direction);
+    const float3v side = leaving->surface.geometric;
+    const float3v direction = keep_on_side(unit_v(lane_of(vector_in(input + AIMED))), side);
+    if (!(largest_v(fabs_v(direction)) > 0.0f)) return false;
+    leaving->from = departures_of(&leaving->surface, &block);
+    leaving->origin = from_lane(rounded_to_side(
+        leave_surfaces(&leaving->surface, &leaving->from, side, true), side, direction));
     return true;
 }
 
@@ -84,9 +105,9 @@ static bool leaving_in(const float* input, leaving_ray* leaving) {
 static float origin_side_error(const float* input, float most) {
     leaving_ray leaving;
     if (!leaving_in(input, &leaving)) return -1.0f;
-    const triangle_points p = leaving.surface.triangle;
+    const triangle_points p = triangle_in(input + 6);
     const double height = plane_distance(p, leaving.origin, (float3)(0.0f));
-    const double3 side = convert_double3(leaving.surface.geometric);
+    const double3 side = convert_double3(from_lane(leaving.surface.geometric));
     const bool is_outside = dot(rounded3(exact_normal(p)), side) > 0.0;
     const double margin = 2.0 * leaving.from.error + 0x1p-124;
     return fmax(1.0 - (is_outside ? height : -height) / margin, 0.0);
@@ -96,9 +117,9 @@ static float origin_side_error(const float* input, float most) {
 static float origin_distance_error(const float* input, float most) {
     leaving_ray leaving;
     if (!leaving_in(input, &leaving)) return -1.0f;
-    const float3 point = leaving.from.point;
-    const double3 moved = rounded3(wide3_sum(wide3_of(leaving.origin, -point),
-                                             wide3_of(-leaving.from.rest, (float3)(0.0f))));
+    const float3 point = from_lane(leaving.from.point), rest = from_lane(leaving.from.rest);
+    const double3 moved =
+        rounded3(wide3_sum(wide3_of(leaving.origin, -point), wide3_of(-rest, (float3)(0.0f))));
     const double largest = largest_of3(convert_double3(point));
     if (!(largest >= 0x1p-40)) return -1.0f;
     return fmax(largest_of3(moved) - 2.0 * leaving.from.error, 0.0) / (2.0 * half_ulp(largest));
@@ -122,10 +143,10 @@ static float mirror_error(const float* input, float most) {
     const float3 d = vector_in(input), n = vector_in(input + 3);
     const float size = largest3(fabs(n));
     if (!(size >= 0x1p-10f && size <= 0x1p10f && largest3(fabs(d)) >= 0x1p-10f)) return -1.0f;
-    const twofold3 normal = {n,
-                             clamp(vector_in(input + 6), -1.0f, 1.0f) * (0x1p-24f * fabs(n))};
-    const float3 none = (float3)(0.0f), found = mirrored(d, normal);
-    const wide3 exact_d = wide3_of(d, none), exact_n = wide3_of(normal.high, normal.low);
+    const float3 rest = clamp(vector_in(input + 6), -1.0f, 1.0f) * (0x1p-24f * fabs(n));
+    const twofold3v normal = {lane_of(n), lane_of(rest)};
+    const float3 none = (float3)(0.0f), found = from_lane(mirrored(lane_of(d), normal));
+    const wide3 exact_d = wide3_of(d, none), exact_n = wide3_of(n, rest);
     const wide dn = wide_dot(exact_d, exact_n), nn = wide_dot(exact_n, exact_n);
     const wide3 exact = wide3_sum(wide3_scaled(nn, exact_d),
                                   wide3_scaled((wide){-2.0 * dn.high, -2.0 * dn.low}, exact_n));
@@ -144,7 +165,8 @@ static float grazing_error(const float* input, float most) {
     if (!are_moderate(input, 6, 20)) return -1.0f;
     const float3 given = unit3(vector_in(input)), side = unit3(vector_in(input + 3));
     if (!(largest3(fabs(given)) > 0.0f) || !(largest3(fabs(side)) > 0.0f)) return -1.0f;
-    const double3 d = convert_double3(keep_on_side(given, side)), n = convert_double3(side);
+    const double3 d = convert_double3(from_lane(keep_on_side(lane_of(given), lane_of(side)))),
+                  n = convert_double3(side);
     const double cosine = dot(d, n) / (length_of(d) * length_of(n));
     return cosine > 0.0 ? RSH_GRAZING / cosine : INFINITY;
 }
