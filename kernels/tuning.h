@@ -34,6 +34,7 @@
 /* A range of 16 rays is incoherent when its origins span more than this of what all origins do;
  * where all rays start in one point, when its directions span more than this of theirs. */
 #define RSH_INCOHERENT_EXTENT 0.25f
+#define RSH_CONVERGING_EXTENT 0.0625f
 
 /* Of so many sampled ranges of rays, how many may be incoherent before the rays are sorted.
  * Rays in no order cost 5 to 8 times as much; sorting 300 K of them brings 47 ms down to 7 and

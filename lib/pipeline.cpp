@@ -19,7 +19,6 @@
 #include "shade/clear_colour.hpp"
 #include "shade/cut.hpp"
 #include "shade/shade.hpp"
-#include "shade/spawn.hpp"
 #include "shade/wave.hpp"
 #include "traverse/audit.hpp"
 #include "traverse/engine.hpp"
@@ -82,8 +81,9 @@ private:
     }
 
     void shade_wave(const Wave& wave) {
-        if (memory_.casts_shadows()) cast_shadows(wave);
-        if (wave.bounce == 0)
+        if (memory_.casts_shadows())
+            shade_lights(wave);
+        else if (wave.bounce == 0)
             shade(recorder_, memory_.shade(wave));
         else
             shade_first(recorder_, memory_.shade(wave));
@@ -98,14 +98,19 @@ private:
                 is_last ? std::numeric_limits<float>::infinity() : desc_.min_weight);
     }
 
-    void cast_shadows(const Wave& wave) {
+    // Light by light; the first one with all that no shadow falls on.
+    void shade_lights(const Wave& wave) {
         recorder_.fill(RSH_STAGE_OTHER, memory_.occlusion(), 0, size_t{wave.rays()} * 4);
+        bool is_base = true;
         for (cl_uint light = 0; light < desc_.scene->light_count; ++light) {
             if (!(desc_.scene->shadow_lights >> light & 1)) continue;
-            spawn_shadow(wave, light);
+            const LightPass pass = memory_.light(wave, light, is_base);
+            is_base = false;
+            cast_rays(wave, pass);
             build(recorder_, memory_.build_shadow(wave, light));
             traverse(recorder_, memory_.traverse_shadow(wave, light));
             audit_hits(memory_.audit_shadow(wave, light));
+            add_light(recorder_, pass);
         }
     }
 
@@ -114,9 +119,9 @@ private:
     }
 
     // Light by light, lest their sum outgrow 32 bits; only statistics read the count.
-    void spawn_shadow(const Wave& wave, cl_uint light) {
+    void cast_rays(const Wave& wave, const LightPass& pass) {
         if (is_counting_) clear_active_count();
-        spawn(recorder_, memory_.spawn_shadow(wave, light));
+        shade_lit(recorder_, pass);
         count_later([bounce = wave.bounce](rsh_statistics& sums, const cl_uint* count) {
             sums.shadow_rays[bounce] += *count;
         });

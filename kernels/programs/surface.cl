@@ -4,6 +4,7 @@
 #include "shade/clear_colour.cl"
 #include "shade/cut.cl"
 #include "shade/shade.cl"
+#include "shade/shade_lit.cl"
 #include "shade/spawn.cl"
 #include "shade/spawn_shadow.cl"
 #include "shade/wave.cl"

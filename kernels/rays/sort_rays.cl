@@ -57,32 +57,33 @@ __kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint count,
     samples[get_global_id(0)] = bounds;
 }
 
-static bool is_incoherent_block(const ray_block* block, float whole)
+static bool is_incoherent_block(const ray_block* block, float whole, float share)
 {
     const sample_bounds origins = bounds_of_rays(block, 0);
-    if (whole > 0.0f) return longest_side(&origins) > RSH_INCOHERENT_EXTENT * whole;
+    if (whole > 0.0f) return longest_side(&origins) > share * whole;
     const sample_bounds directions = bounds_of_rays(block, RSH_DIRECTION);
     float longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
         longest = fmax(longest, fmax(fabs(directions.low[axis]), fabs(directions.high[axis])));
-    return longest_side(&directions) > RSH_INCOHERENT_EXTENT * 2.0f * longest;
+    return longest_side(&directions) > share * 2.0f * longest;
 }
 
 /* sampled: how many groups this work-item looked at, and how many of them are incoherent. */
-__kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint count,
+__kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint count, uint converging,
                                    __global const sample_bounds* samples,
                                    __global uint2* sampled)
 {
     const range16 mine = my_range16(count);
     const sample_bounds whole = merged_bounds(samples, get_global_size(0));
     const float longest = longest_side(&whole);
+    const float share = converging ? RSH_CONVERGING_EXTENT : RSH_INCOHERENT_EXTENT;
     uint2 sum = (uint2)(0);
     for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
         ray_block block;
         load_block(list_of(count, g), 0, rays, &block);
         if (!active_lanes(&block)) continue;
         ++sum.x;
-        sum.y += is_incoherent_block(&block, longest);
+        sum.y += is_incoherent_block(&block, longest, share);
     }
     sampled[get_global_id(0)] = sum;
 }

@@ -13,8 +13,9 @@ namespace rsh {
 namespace {
 
 bool needs_shadows(const rsh_frame_desc& desc) {
-    return (desc.scene->features & RSH_FEATURE_SHADOW) && desc.scene->shadow_lights != 0 &&
-           desc.scene->light_count > 0;
+    const rsh_scene& scene = *desc.scene;
+    const cl_ulong lights = (cl_ulong{1} << scene.light_count) - 1;
+    return (scene.features & RSH_FEATURE_SHADOW) && (scene.shadow_lights & lights) != 0;
 }
 
 bool needs_bounces(const rsh_frame_desc& desc) {
@@ -125,6 +126,7 @@ Layout strip_scratch(const Context& context, const rsh_frame_desc& whole, cl_uin
     if (needs_shadows(desc)) {
         layout.add_array<rsh_ray>("shadow rays", pixels);
         layout.add_array<cl_uint>("occlusion", pixels);
+        layout.add_array<rsh_float4>("light colour", pixels);
     }
     if (needs_shadows(desc) || needs_bounces(desc)) add_secondary(layout, context, desc);
     return layout;
@@ -268,6 +270,11 @@ rsh_spawn_desc FrameMemory::spawn_shadow(const Wave& wave, cl_uint light) const 
     pass.spawned_rays = scratch_["shadow rays"];
     pass.spawned_skip = skip();
     return pass;
+}
+
+LightPass FrameMemory::light(const Wave& wave, cl_uint light, bool is_base) const {
+    return {shade(wave), spawn_shadow(wave, light), scratch_["light colour"], is_base,
+            wave.bounce > 0};
 }
 
 rsh_build_desc FrameMemory::build_shadow(const Wave& wave, cl_uint light) const {

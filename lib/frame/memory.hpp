@@ -6,6 +6,7 @@
 
 #include "device/cl/scratch.hpp"
 #include "rays/node_shape.hpp"
+#include "shade/shade.hpp"
 #include "shade/wave.hpp"
 
 namespace rsh {
@@ -46,8 +47,8 @@ public:
     rsh_shade_desc shade(const Wave& wave) const;
     // From a part of a wave to the next one.
     WavePass next(const Wave& wave, const wave_part& part) const;
-    // The shadow rays of one light at the hits of a wave.
-    rsh_spawn_desc spawn_shadow(const Wave& wave, cl_uint light) const;
+    // One light at the hits of a wave, and the rays to it.
+    LightPass light(const Wave& wave, cl_uint light, bool is_base) const;
     rsh_build_desc build_shadow(const Wave& wave, cl_uint light) const;
     rsh_traverse_desc traverse_shadow(const Wave& wave, cl_uint light) const;
     rsh_audit_desc audit_shadow(const Wave& wave, cl_uint light) const;
@@ -65,6 +66,7 @@ private:
     // The same pass over the shadow rays of a light.
     template <class Pass>
     Pass of_shadow(Pass pass, cl_uint light) const;
+    rsh_spawn_desc spawn_shadow(const Wave& wave, cl_uint light) const;
     cl_mem at(const char* name, cl_uint bounce) const;
     cl_mem weights(const Wave& wave) const;
     cl_mem bounds() const;

@@ -21,7 +21,7 @@ void order_rays(Recorder& recorder, const rsh_build_desc& desc, const ray_levels
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_measure"), sort.items(),
                     desc.rays, rays, scratch["samples"]);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_sample"), sort.items(),
-                    desc.rays, rays, scratch["samples"], scratch["sampled"]);
+                    desc.rays, rays, desc.converging, scratch["samples"], scratch["sampled"]);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_keys"), sort.items(),
                     desc.rays, rays, scratch["samples"], scratch["sampled"], scratch["sorting"],
                     scratch["keys"], scratch["bins"]);

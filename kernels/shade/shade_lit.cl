@@ -1,0 +1,74 @@
+/* shade_lit.cl - what each ray sees of one light, and the ray that shows whether it is hidden: both
+ * from a surface that is found once. What rsh_spawn and rsh_shade do is done in another order, with
+ * the same bits.
+ *   rays, hits, weights  in      weights NULL: all 1
+ *   is_base              in      colour grows by what no shadow falls on, as in shade/shade.cl
+ *   colour               in/out  rgb grows, a stays; is_first: rgb only goes out
+ *   spawned_rays, spawned_skip, active_count  as in shade/spawn_shadow.cl
+ *   light_colour         out     what rsh_add_light will add to colour
+ */
+#include "lanes/stride.h"
+#include "shade/seen.h"
+#include "shade/shadow_ray.h"
+
+__kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
+                            __global const uint* indices, __global const float* normals,
+                            __global const float* texcoords, __global const uint* material_ids,
+                            __global const rsh_material* materials, uint material_count,
+                            __global const rsh_light* lights, uint light_count,
+                            __global const rsh_texture* textures, uint texture_count,
+                            __global const uint* texels, float4 ambient, float4 environment,
+                            uint environment_image, uint ray_count,
+                            __global const rsh_ray* rays, __global const rsh_hit* hits,
+                            __global const float4* weights, uint shadow_lights, uint light,
+                            uint is_base, uint is_first, __global float4* colour,
+                            __global rsh_ray* spawned_rays, __global uint* spawned_skip,
+                            __global float4* light_colour, __global uint* active_count)
+{
+    const surface_buffers buffers = {mesh,    vertices,     indices,
+                                     normals, material_ids, material_count};
+    const look_buffers look = {texcoords,
+                               materials,
+                               lights,
+                               light_count,
+                               {textures, texture_count, texels},
+                               ambient.xyz,
+                               environment.xyz,
+                               environment_image};
+    const rsh_light source = lights[light];
+    const strided_range mine = my_elements(ray_count);
+    uint active = 0;
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
+        uint index[RSH_WIDTH];
+        seen_block block;
+        seen_light seen;
+        sent_rays sent;
+        number_lanes(i, mine.end, index);
+        find_seen(&buffers, &look, index, rays, hits, &block);
+        const float3v weight = load_weights(index, weights);
+        seen.bits = sent.bits = 0;
+        if (block.found) seen = see_light(&block, source, block.found);
+        if (seen.bits && source.casts_shadow)
+            sent = send_to_light(source, &seen.arrival, &block.surface, &block.rays,
+                                 seen.bits & RSH_LANE_BITS(block.lit.sends_back), true);
+        if (is_base) {
+            const float3v base = see_all_but(&block, &look, shadow_lights, (uintv)(0u));
+            colour_lanes sums = load_sums(index, is_first, colour);
+            add_seen(product_v(weight, base), block.active, &sums);
+            store_sums(&sums, index, colour);
+        }
+        store_sent_rays(&sent, index, block.rays.primitive, spawned_rays, spawned_skip);
+        store_sent_weights(product_v(weight, seen.colour), seen.bits, index, light_colour);
+        active += popcount(sent.bits);
+    }
+    add_active(active_count, active);
+}
+
+/* Where the light is not hidden, light_colour is added to colour. */
+__kernel void rsh_add_light(uint ray_count, uint light, __global const uint* occlusion,
+                            __global const float4* light_colour, __global float4* colour)
+{
+    const strided_range mine = my_elements(ray_count);
+    for (uint i = mine.begin; i < mine.end; i += mine.step)
+        if (!(occlusion[i] >> light & 1)) colour[i].xyz += light_colour[i].xyz;
+}
