@@ -9,6 +9,7 @@
 
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/picture_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/write_output.hpp"
@@ -80,25 +81,38 @@ auto run_or_stop(const Call& call) try {
     throw;
 }
 
-FrameMeasure render(Renderer& renderer, double time, ProgressBar& progress) {
-    return run_or_stop(
-        [&] { return renderer.render(time, &ProgressBar::begin_wave, &progress); });
+FrameMeasure render(Renderer& renderer, double time, ProgressBar& progress,
+                    PictureOutput& picture) {
+    const auto take = [&](const Strip& strip) {
+        stop_if_interrupted();
+        picture.write(strip);
+    };
+    const FrameMeasure measure = run_or_stop(
+        [&] { return renderer.render(time, &ProgressBar::begin_wave, &progress, take); });
+    picture.commit();
+    return measure;
 }
 
 // What is measured must not contain compiling. Two frames go before: the first makes the bounds,
 // and the second one refits them, by kernels that a driver compiles when they are first launched.
 void warm_up(Renderer& renderer, double time, ProgressBar& progress, RunReport& report) {
-    const FrameMeasure first = render(renderer, time, progress);
+    PictureOutput none;
+    const FrameMeasure first = render(renderer, time, progress, none);
     report.first_frame_ms = first.total_ms;
     report.programs_built = first.statistics.programs_built;
     report.programs_loaded = first.statistics.programs_loaded;
-    render(renderer, time, progress);
+    render(renderer, time, progress, none);
 }
 
-// Of each wave of a frame; 0: none.
-uint32_t audited_rays(const Options& options, const RenderSettings& settings, int frame) {
+// Of each wave of a strip of so many pixels; 0: none.
+uint32_t audited_rays(const Options& options, uint32_t pixels, int frame) {
     if (frame >= options.checked_frames) return options.audited_rays;
-    return (settings.size.x * settings.size.y - 1) / options.check_ray_step + 1;
+    return (pixels - 1) / options.check_ray_step + 1;
+}
+
+PictureOutput picture_of(const Options& options, glm::uvec2 size, int frame, int count) {
+    if (!options.out) return {};
+    return {frame_path(*options.out, frame, count), size};
 }
 
 // Whether the last frame's hits are those of brute force.
@@ -134,7 +148,7 @@ int run(const Options& options) {
     const RenderSettings settings = render_settings(options, scene.settings);
     const std::vector<double> times = frame_times(options, scene.settings, world);
     const int count = static_cast<int>(times.size());
-    check_pictures(options, count);
+    check_pictures(options, count, settings.size);
     Renderer renderer(device, world, settings);
     RunReport report = begin_report(device, world, settings);
     report.load_ms = load_ms;
@@ -144,12 +158,9 @@ int run(const Options& options) {
     bool is_exact = true;
     for (int i = 0; i < count; ++i) {
         progress.begin_frame(i);
-        report.frames.push_back(render(renderer, times[i], progress));
-        if (options.out) {
-            const std::string path = frame_path(*options.out, i, count);
-            write_output(path, encode_image(renderer.frame(), path));
-        }
-        const uint32_t rays = audited_rays(options, settings, i);
+        PictureOutput picture = picture_of(options, settings.size, i, count);
+        report.frames.push_back(render(renderer, times[i], progress, picture));
+        const uint32_t rays = audited_rays(options, settings.size.x * renderer.strip_rows(), i);
         if (rays > 0) is_exact = audit(renderer, rays, i, progress) && is_exact;
     }
     write_reports(report, options);

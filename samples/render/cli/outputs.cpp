@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "files/image_output.hpp"
 #include "files/whole_file.hpp"
+#include "picture/picture_writer.hpp"
 
 namespace render {
 namespace {
@@ -23,19 +23,19 @@ void check(const char* option, const Check& body) try {
 void check_outputs(const Options& options) {
     if (options.json) check("--json", [&] { require_place(*options.json); });
     if (!options.out) return;
-    check_pictures(options, 1);
+    check_pictures(options, 1, options.size.value_or(glm::uvec2(1)));
     if (options.json == options.out)
         throw std::runtime_error(fmt::format(
             "--json {}: is the file of --out too; each needs its own", *options.json));
 }
 
-void check_pictures(const Options& options, int count) {
+void check_pictures(const Options& options, int count, glm::uvec2 size) {
     if (!options.out) return;
     check("--out", [&] {
         for (int i = 0; i < count; ++i) {
             const std::string path = frame_path(*options.out, i, count);
             require_place(path);
-            require_image_ending(path);
+            require_format(path, size.x, size.y);
         }
     });
 }

@@ -1,6 +1,7 @@
-// renderer.cpp - the frame, its steps timed.
+// renderer.cpp - the frame, strip by strip, its steps timed.
 #include "device/renderer.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "scene/device_structs.hpp"
@@ -28,11 +29,13 @@ Renderer::Renderer(const Device& device, World& world, const RenderSettings& set
     : device_(device),
       world_(world),
       settings_(settings),
-      scene_(device, world, settings.without, settings.cut),
-      colour_(device.buffer(size_t{16} * settings.size.x * settings.size.y)),
-      frame_{settings.size.x, settings.size.y,
-             std::vector<float>(size_t{4} * settings.size.x * settings.size.y)} {
+      scene_(device, world, settings.without, settings.cut) {
     make_bounds();
+    plan_ = plan_strips(device, frame_desc(), settings.budget);
+    const size_t pixels = size_t{settings.size.x} * plan_.rows;
+    colour_ = device.buffer(pixels * sizeof(rsh_float4));
+    strip_.width = settings.size.x;
+    strip_.pixels.resize(4 * pixels);
 }
 
 // Kept from frame to frame, so that the order of the triangles is not made anew for each.
@@ -60,14 +63,22 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.engine = settings_.engine;
     desc.shape = settings_.bound;
     desc.strategy = settings_.strategy;
-    desc.budget = settings_.budget;
+    desc.budget = plan_.frame_budget;
     desc.colour = colour_();
     desc.bounds = bounds_();
     desc.mode = has_bounds_ ? RSH_BOUND_REFIT : RSH_BOUND_QUALITY;
     return desc;
 }
 
-FrameMeasure Renderer::render(double time, rsh_progress progress, void* user) {
+rsh_frame_desc Renderer::strip_desc(uint32_t first_row) const {
+    rsh_frame_desc desc = frame_desc();
+    desc.height = std::min(plan_.rows, settings_.size.y - first_row);
+    desc.window = {0, first_row, settings_.size.x, settings_.size.y};
+    return desc;
+}
+
+FrameMeasure Renderer::render(double time, rsh_progress progress, void* user,
+                              const TakeStrip& take) {
     FrameMeasure measure;
     measure.time = time;
     Stopwatch watch;
@@ -76,42 +87,64 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user) {
     device_.queue().finish();
     measure.upload_ms = watch.lap();
 
-    rsh_frame_desc desc = frame_desc();
-    desc.progress = progress;
-    desc.progress_user = user;
     require(rsh_count_statistics(device_.rsh(), settings_.counts), "rsh_count_statistics");
-    watch.lap();
+    for (uint32_t row = 0; row < settings_.size.y; row += plan_.rows) {
+        rsh_frame_desc desc = strip_desc(row);
+        desc.progress = progress;
+        desc.progress_user = user;
+        render_strip(desc, measure);
+        read_strip(desc, measure);
+        take(strip_);
+    }
+    measure.statistics.struct_size = sizeof measure.statistics;
+    if (settings_.counts)
+        require(rsh_get_statistics(device_.rsh(), &measure.statistics), "rsh_get_statistics");
+    return measure;
+}
+
+void Renderer::render_strip(const rsh_frame_desc& desc, FrameMeasure& measure) {
+    Stopwatch watch;
     cl::Event done;
     require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, &done()),
             "rsh_frame");
     done.wait();
     has_bounds_ = bounds_() != nullptr;
-    measure.total_ms = watch.lap();
+    measure.total_ms += watch.lap();
+}
 
-    measure.statistics.struct_size = sizeof measure.statistics;
-    if (settings_.counts)
-        require(rsh_get_statistics(device_.rsh(), &measure.statistics), "rsh_get_statistics");
-    watch.lap();
-    device_.queue().enqueueReadBuffer(colour_, CL_TRUE, 0, frame_.pixels.size() * sizeof(float),
-                                      frame_.pixels.data());
-    measure.read_ms = watch.lap();
-    return measure;
+void Renderer::read_strip(const rsh_frame_desc& desc, FrameMeasure& measure) {
+    Stopwatch watch;
+    strip_.first_row = desc.window.y;
+    strip_.rows = desc.height;
+    const size_t bytes = size_t{desc.width} * desc.height * sizeof(rsh_float4);
+    device_.queue().enqueueReadBuffer(colour_, CL_TRUE, 0, bytes, strip_.pixels.data());
+    measure.read_ms += watch.lap();
 }
 
 rsh_audit_report Renderer::audit(uint32_t rays, uint32_t seed, rsh_progress progress,
                                  void* user) {
     const cl::Buffer found = device_.buffer(sizeof(rsh_audit_report));
-    rsh_frame_desc desc = frame_desc();
-    desc.progress = progress;
-    desc.progress_user = user;
-    desc.audit_rays = rays;
-    desc.audit_seed = seed;
-    desc.audit = found();
-    require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_frame");
-    rsh_audit_report report{};
-    device_.queue().enqueueReadBuffer(found, CL_TRUE, 0, sizeof report, &report);
-    return report;
+    rsh_audit_report sum{};
+    sum.first_ray = RSH_NO_HIT;
+    for (uint32_t row = 0; row < settings_.size.y; row += plan_.rows) {
+        rsh_frame_desc desc = strip_desc(row);
+        desc.progress = progress;
+        desc.progress_user = user;
+        desc.audit_rays = rays;
+        desc.audit_seed = seed;
+        desc.audit = found();
+        require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+                "rsh_frame");
+        rsh_audit_report strip{};
+        device_.queue().enqueueReadBuffer(found, CL_TRUE, 0, sizeof strip, &strip);
+        if (sum.differences == 0) sum.first_ray = strip.first_ray;
+        sum.rays += strip.rays;
+        sum.differences += strip.differences;
+        sum.missed += strip.missed;
+        sum.spurious += strip.spurious;
+        sum.wrong += strip.wrong;
+    }
+    return sum;
 }
 
 }  // namespace render

@@ -1,9 +1,13 @@
-// renderer.hpp - one scene, many frames: moves the world, uploads what moved, calls rsh_frame,
-// reads the picture and measures. Writes no file. After the first frame it allocates nothing.
+// renderer.hpp - one scene, many frames: moves the world, uploads what moved, calls rsh_frame for
+// each strip of the picture, reads it and measures. Writes no file. After the first frame it
+// allocates nothing.
 #pragma once
 
+#include <functional>
+
 #include "device/device_scene.hpp"
-#include "files/image_output.hpp"
+#include "device/strips.hpp"
+#include "picture/picture_writer.hpp"
 
 namespace render {
 
@@ -15,11 +19,12 @@ struct RenderSettings {
     uint32_t engine = RSH_ENGINE_DEFAULT;
     uint32_t bound = RSH_SHAPE_DEFAULT;
     uint32_t strategy = RSH_STRATEGY_DEFAULT;
-    size_t budget = 0;
+    size_t budget = 0;  // see plan_strips
     rsh_features without = 0;
     bool counts = false;  // statistics
 };
 
+// Sums over the frame's strips.
 struct FrameMeasure {
     double time = 0.0;       // of the animation [s]
     double upload_ms = 0.0;  // host time: moving and uploading
@@ -29,27 +34,39 @@ struct FrameMeasure {
     rsh_statistics statistics{};  // of rsh_frame; zero unless RenderSettings::counts
 };
 
+// What is to be done with each strip of a picture, from the top to the bottom.
+using TakeStrip = std::function<void(const Strip&)>;
+
 class Renderer {
 public:
     Renderer(const Device& device, World& world, const RenderSettings& settings);
 
-    FrameMeasure render(double time, rsh_progress progress, void* user);
-    const Frame& frame() const { return frame_; }  // of the last render
+    FrameMeasure render(double time, rsh_progress progress, void* user, const TakeStrip& take);
 
-    // Renders the last frame once more and audits so many rays of each wave. seed: which ones.
+    // Renders the last frame once more and audits so many rays of each wave of each strip. seed:
+    // which ones. `first_ray` is that of the first strip with a difference.
     rsh_audit_report audit(uint32_t rays, uint32_t seed, rsh_progress progress, void* user);
+
+    // Of a strip, which may be the whole picture; the last one may have less.
+    uint32_t strip_rows() const { return plan_.rows; }
 
 private:
     rsh_frame_desc frame_desc() const;
+    // Of the picture's strip from that row on.
+    rsh_frame_desc strip_desc(uint32_t first_row) const;
     void make_bounds();
+    void render_strip(const rsh_frame_desc& desc, FrameMeasure& measure);
+    void read_strip(const rsh_frame_desc& desc, FrameMeasure& measure);
 
     const Device& device_;
     World& world_;
     RenderSettings settings_;
     DeviceScene scene_;
-    cl::Buffer colour_, bounds_;
+    cl::Buffer bounds_;
     bool has_bounds_ = false;  // of an earlier frame
-    Frame frame_;
+    StripPlan plan_;
+    cl::Buffer colour_;  // of a strip
+    Strip strip_;
 };
 
 }  // namespace render

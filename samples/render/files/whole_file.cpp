@@ -138,14 +138,27 @@ void WholeFile::keep_mode_and_owner() const {
     fchmod(file_, before.st_mode & (has_owner ? 07777 : 0777));
 }
 
-void WholeFile::write(std::string_view bytes) {
+template <typename Put>
+void WholeFile::put_all(std::string_view bytes, const Put& put) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+        const ssize_t written = put(bytes);
         if (written < 0 && errno == EINTR) continue;
         if (written == 0) errno = EIO;
         if (written <= 0) fail();
         bytes.remove_prefix(static_cast<size_t>(written));
     }
+}
+
+void WholeFile::write(std::string_view bytes) {
+    put_all(bytes,
+            [&](std::string_view rest) { return ::write(file_, rest.data(), rest.size()); });
+}
+
+void WholeFile::write_at(size_t at, std::string_view bytes) {
+    put_all(bytes, [&](std::string_view rest) {
+        const size_t done = bytes.size() - rest.size();
+        return pwrite(file_, rest.data(), rest.size(), static_cast<off_t>(at + done));
+    });
 }
 
 void WholeFile::close() {

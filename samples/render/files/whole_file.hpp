@@ -23,10 +23,15 @@ public:
     WholeFile& operator=(const WholeFile&) = delete;
 
     void write(std::string_view bytes);
-    void commit();  // to the disk, then into its place
+    // `at` bytes from the file's start, which need not be written yet; not for a stream.
+    void write_at(size_t at, std::string_view bytes);
+    bool is_stream() const { return temporary_.empty(); }  // no regular file
+    void commit();                                         // to the disk, then into its place
 
 private:
     [[noreturn]] void fail() const;  // with errno
+    template <typename Put>
+    void put_all(std::string_view bytes, const Put& put);
     void open_beside();
     void keep_mode_and_owner() const;
     void close();

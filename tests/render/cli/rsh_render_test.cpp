@@ -3,43 +3,20 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "program.hpp"
 #include "temporary_folder.hpp"
 
 namespace render {
 namespace {
-
-struct Ended {
-    int status = -1;      // as a shell sees it
-    std::string printed;  // on both streams
-};
-
-Ended run(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = environment + " '" RSH_RENDER "' " + arguments + " 2>&1";
-    Ended ended;
-    FILE* pipe = popen(command.c_str(), "r");
-    std::array<char, 4096> block;
-    while (const size_t got = fread(block.data(), 1, block.size(), pipe))
-        ended.printed.append(block.data(), got);
-    const int status = pclose(pipe);
-    ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return ended;
-}
-
-std::string content(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // Until the process has a handler for the signal.
 void wait_until_caught(pid_t process, int signal) {
@@ -152,6 +129,7 @@ TEST_F(RshRender, ChecksItsOutputsFirst) {
     wrong("--out " + path("folder/x/a.png"), {"folder"});
     for (const char* ending : {"", ".", ".pgn", ".txt", ".png.xz", ".null"})
         wrong("--out " + path(std::string("a") + ending), {"ending", ".png", ".exr"});
+    wrong("--size 4x16384 --out " + path("a.webp"), {"4 x 16384", ".webp", "16383"});
     wrong("--out " + path("a.png") + " --json " + path("a.png"), {"its own"});
 }
 

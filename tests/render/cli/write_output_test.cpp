@@ -9,12 +9,11 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <thread>
 
 #include "cli/interrupt.hpp"
+#include "program.hpp"
 #include "temporary_folder.hpp"
 
 namespace render {
@@ -22,11 +21,6 @@ namespace {
 
 constexpr int kKills = 50;
 constexpr size_t kBytes = size_t{4} << 20;
-
-std::string content(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // Writes the file as rsh-render does, and ends as it does.
 pid_t start_writer(const std::string& path, const std::string& bytes) {

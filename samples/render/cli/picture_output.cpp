@@ -1,0 +1,26 @@
+// picture_output.cpp - a WholeFile and what writes into it.
+#include "cli/picture_output.hpp"
+
+#include "cli/write_output.hpp"
+
+namespace render {
+
+PictureOutput::PictureOutput(const std::string& path, glm::uvec2 size)
+    : path_(path), size_(size) {}
+
+void PictureOutput::write(const Strip& strip) {
+    if (path_.empty()) return;
+    if (!file_) {
+        file_.emplace(path_);
+        writer_.emplace(*file_, path_, size_.x, size_.y);
+    }
+    writer_->write(strip);
+}
+
+void PictureOutput::commit() {
+    if (path_.empty()) return;
+    writer_->finish();
+    commit_output(*file_);
+}
+
+}  // namespace render

@@ -1,0 +1,30 @@
+// picture_output.hpp - the picture of a frame as a file that rsh-render leaves, written strip by strip.
+// Renders nothing.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "files/whole_file.hpp"
+#include "picture/picture_writer.hpp"
+
+namespace render {
+
+class PictureOutput {
+public:
+    PictureOutput() = default;  // takes strips, and leaves no file
+    PictureOutput(const std::string& path, glm::uvec2 size);
+
+    void write(const Strip& strip);  // the first one begins the file
+    // As write_output.
+    void commit();
+
+private:
+    std::string path_;
+    glm::uvec2 size_{0};
+    std::optional<WholeFile> file_;
+    std::optional<PictureWriter> writer_;  // into file_
+};
+
+}  // namespace render

@@ -1,0 +1,30 @@
+// program.cpp - through a shell.
+#include "program.hpp"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+namespace render {
+
+Ended run(const std::string& arguments, const std::string& environment) {
+    const std::string command = environment + " '" RSH_RENDER "' " + arguments + " 2>&1";
+    Ended ended;
+    FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> block;
+    while (const size_t got = fread(block.data(), 1, block.size(), pipe))
+        ended.printed.append(block.data(), got);
+    const int status = pclose(pipe);
+    ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return ended;
+}
+
+std::string content(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace render
