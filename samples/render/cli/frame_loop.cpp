@@ -160,6 +160,9 @@ int run(const Options& options) {
         progress.begin_frame(i);
         PictureOutput picture = picture_of(options, settings.size, i, count);
         report.frames.push_back(render(renderer, times[i], progress, picture));
+        if (options.layers)
+            write_layers(frame_path(*options.layers, i, count), device, world,
+                         renderer.frame_desc());
         const uint32_t rays = audited_rays(options, settings.size.x * renderer.strip_rows(), i);
         if (rays > 0) is_exact = audit(renderer, rays, i, progress) && is_exact;
     }

@@ -59,6 +59,8 @@ void add_size(CLI::App& app, const char* name, uint64_t& value, const char* text
 
 void add_picture_options(CLI::App& app, Options& o) {
     app.add_option("--out", o.out, "Picture: .png (sRGB) or .exr (linear); may hold %04d");
+    app.add_option("--layers", o.layers,
+                   "What pixels see, as channels of an .exr: depth, normal, position, ...");
     auto* frames = app.add_option("--frames", o.frames, "Frames over the scene's time span");
     frames->check(CLI::Range(1, 1000000));
     app.add_option("--time", o.time, "Render the one frame at this time [s]")
@@ -112,11 +114,12 @@ void add_report_options(CLI::App& app, Options& o) {
 }
 
 void require_purpose(const Options& o) {
-    if (o.out || o.json || o.prints_statistics || o.audited_rays > 0 || o.checked_frames > 0 ||
-        o.inspects)
+    if (o.out || o.layers || o.json || o.prints_statistics || o.audited_rays > 0 ||
+        o.checked_frames > 0 || o.inspects)
         return;
     throw CLI::ValidationError("nothing is asked for",
-                               "add --out FILE for a picture, --stats or --json FILE for "
+                               "add --out FILE for a picture, --layers FILE for what pixels "
+                               "see, --stats or --json FILE for "
                                "times, --audit N or --check N "
                                "to compare with brute force, or --inspect");
 }

@@ -17,6 +17,7 @@ namespace render {
 struct Options {
     std::vector<std::string> scenes;
     std::optional<std::string> out;
+    std::optional<std::string> layers;
     std::optional<std::string> json;
     std::string device;
     std::optional<int> frames;

@@ -1,6 +1,7 @@
 // picture_output.cpp - a WholeFile and what writes into it.
 #include "cli/picture_output.hpp"
 
+#include "cli/interrupt.hpp"
 #include "cli/write_output.hpp"
 
 namespace render {
@@ -21,6 +22,18 @@ void PictureOutput::commit() {
     if (path_.empty()) return;
     writer_->finish();
     commit_output(*file_);
+}
+
+void write_layers(const std::string& path, const Device& device, const World& world,
+                  const rsh_frame_desc& picture) {
+    WholeFile file(path);
+    LayerWriter writer(file, path, {picture.width, picture.height});
+    render_layers(device, world, picture, [&](const LayerStrip& strip) {
+        stop_if_interrupted();
+        writer.write(strip);
+    });
+    writer.finish();
+    commit_output(file);
 }
 
 }  // namespace render

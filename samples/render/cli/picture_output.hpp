@@ -1,11 +1,12 @@
-// picture_output.hpp - the picture of a frame as a file that rsh-render leaves, written strip by strip.
-// Renders nothing.
+// picture_output.hpp - the picture of a frame, and its layers, as files that rsh-render leaves, written
+// strip by strip.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
 
+#include "device/layers.hpp"
 #include "files/whole_file.hpp"
 #include "picture/picture_writer.hpp"
 
@@ -26,5 +27,9 @@ private:
     std::optional<WholeFile> file_;
     std::optional<PictureWriter> writer_;  // into file_
 };
+
+// Finds them and writes them; the world is as it is in the picture.
+void write_layers(const std::string& path, const Device& device, const World& world,
+                  const rsh_frame_desc& picture);
 
 }  // namespace render

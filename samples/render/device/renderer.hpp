@@ -47,11 +47,12 @@ public:
     // which ones. `first_ray` is that of the first strip with a difference.
     rsh_audit_report audit(uint32_t rays, uint32_t seed, rsh_progress progress, void* user);
 
+    // Of the whole picture, as it was rendered last.
+    rsh_frame_desc frame_desc() const;
     // Of a strip, which may be the whole picture; the last one may have less.
     uint32_t strip_rows() const { return plan_.rows; }
 
 private:
-    rsh_frame_desc frame_desc() const;
     // Of the picture's strip from that row on.
     rsh_frame_desc strip_desc(uint32_t first_row) const;
     void make_bounds();

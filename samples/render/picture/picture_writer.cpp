@@ -1,16 +1,14 @@
 // picture_writer.cpp - floats into what a format holds, and that into its scanlines.
 #include "picture/picture_writer.hpp"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
-#include "files/text_scan.hpp"
-#include "picture/file_proxy.hpp"
+#include "picture/image_file.hpp"
 
 namespace render {
 namespace {
@@ -23,10 +21,6 @@ constexpr uint32_t kMostWebpSide = 16383;  // of the others, at least 65500
 
 // Encoded at a time; formats pack rows in groups of 16 or 32, the same ones for any strips.
 constexpr uint32_t kRows = 64;
-
-std::string ending_of(const std::string& path) {
-    return lower_case(std::filesystem::path(path).extension().string());
-}
 
 float srgb_from_linear(float linear) {
     const float x = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f;  // NaN becomes black
@@ -43,6 +37,21 @@ std::vector<uint8_t> srgb_bytes(const float* pixels, size_t count) {
     return bytes;
 }
 
+bool is_linear(const std::string& path) {
+    return ending_of(path) == ".exr" || ending_of(path) == ".hdr";
+}
+
+OIIO::ImageSpec spec_of(const std::string& path, uint32_t width, uint32_t height) {
+    const std::string ending = ending_of(path);
+    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height),
+                         ending == ".exr" ? 4 : 3,
+                         is_linear(path) ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    // Told of a colour space, OpenImageIO 2.4 makes TIFF files that it cannot read itself.
+    if (ending.rfind(".tif", 0) != 0)
+        spec.attribute("oiio:ColorSpace", is_linear(path) ? "Linear" : "sRGB");
+    return spec;
+}
+
 }  // namespace
 
 void require_format(const std::string& path, uint32_t width, uint32_t height) {
@@ -56,63 +65,31 @@ void require_format(const std::string& path, uint32_t width, uint32_t height) {
                         height, kMostWebpSide));
 }
 
-struct PictureWriter::Output {
-    Output(WholeFile& file, const std::string& path_of_file)
-        : path(path_of_file), ending(ending_of(path)), proxy(file) {}
-
-    bool is_linear() const { return ending == ".exr" || ending == ".hdr"; }
-    OIIO::TypeDesc type() const {
-        return is_linear() ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-    }
-    void require(bool is_written) {
-        proxy.require_written();
-        if (!is_written)
-            throw std::runtime_error(fmt::format("{}: {}", path, image->geterror()));
-    }
-    void open(uint32_t width, uint32_t height) {
-        image = OIIO::ImageOutput::create("image" + ending);
-        if (!image) throw std::runtime_error(fmt::format("{}: {}", path, OIIO::geterror()));
-        OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height),
-                             ending == ".exr" ? 4 : 3, type());
-        // Told of a colour space, OpenImageIO 2.4 makes TIFF files that it cannot read itself.
-        if (ending.rfind(".tif", 0) != 0)
-            spec.attribute("oiio:ColorSpace", is_linear() ? "Linear" : "sRGB");
-        image->set_ioproxy(&proxy);
-        require(image->open("image" + ending, spec));
-    }
-    void write(uint32_t first_row, uint32_t rows, uint32_t width, const float* pixels) {
-        const int begin = static_cast<int>(first_row), end = static_cast<int>(first_row + rows);
-        if (is_linear())
-            return require(
-                image->write_scanlines(begin, end, 0, type(), pixels, 4 * sizeof(float)));
-        const std::vector<uint8_t> bytes = srgb_bytes(pixels, size_t{width} * rows);
-        require(image->write_scanlines(begin, end, 0, type(), bytes.data()));
-    }
-
-    std::string path, ending;
-    FileProxy proxy;  // outlives what writes to it
-    std::unique_ptr<OIIO::ImageOutput> image;
-};
-
 PictureWriter::PictureWriter(WholeFile& file, const std::string& path, uint32_t width,
-                             uint32_t height) {
+                             uint32_t height)
+    : is_linear_(is_linear(path)) {
     require_format(path, width, height);
-    output_ = std::make_unique<Output>(file, path);
-    output_->open(width, height);
+    image_ = std::make_unique<ImageFile>(file, path, spec_of(path, width, height));
 }
 
 PictureWriter::~PictureWriter() = default;
 
 void PictureWriter::write(const Strip& strip) {
     for (uint32_t row = 0; row < strip.rows; row += kRows)
-        output_->write(strip.first_row + row, std::min(kRows, strip.rows - row), strip.width,
-                       &strip.pixels[size_t{4} * strip.width * row]);
+        write_rows(strip.first_row + row, std::min(kRows, strip.rows - row), strip.width,
+                   &strip.pixels[size_t{4} * strip.width * row]);
+}
+
+void PictureWriter::write_rows(uint32_t first_row, uint32_t rows, uint32_t width,
+                               const float* pixels) {
+    if (is_linear_)
+        return image_->write(first_row, rows, OIIO::TypeDesc::FLOAT, pixels, 4 * sizeof(float));
+    const std::vector<uint8_t> bytes = srgb_bytes(pixels, size_t{width} * rows);
+    image_->write(first_row, rows, OIIO::TypeDesc::UINT8, bytes.data());
 }
 
 void PictureWriter::finish() {
-    output_->require(output_->image->close());
-    output_->image.reset();
-    output_->proxy.finish();
+    image_->finish();
 }
 
 }  // namespace render

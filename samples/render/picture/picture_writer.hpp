@@ -11,6 +11,8 @@
 
 namespace render {
 
+class ImageFile;
+
 // Rows of a picture: linear light, four floats per pixel, from top to bottom.
 struct Strip {
     uint32_t width = 0;
@@ -39,8 +41,10 @@ public:
     void finish();  // after the last one; then all bytes are in the file
 
 private:
-    struct Output;
-    std::unique_ptr<Output> output_;
+    void write_rows(uint32_t first_row, uint32_t rows, uint32_t width, const float* pixels);
+
+    std::unique_ptr<ImageFile> image_;
+    bool is_linear_;
 };
 
 }  // namespace render

@@ -58,8 +58,8 @@ TEST_F(RshRender, SaysWhatToAddWhenNothingIsAskedFor) {
 
 TEST_F(RshRender, IsContentWithAnyOneOutput) {
     for (const std::string& output :
-         {"--out " + path("a.png"), "--json " + path("a.json"), std::string("--stats"),
-          std::string("--check 1"), std::string("--audit 20")}) {
+         {"--out " + path("a.png"), "--layers " + path("a.exr"), "--json " + path("a.json"),
+          std::string("--stats"), std::string("--check 1"), std::string("--audit 20")}) {
         const Ended ended = run(scene() + output);
         EXPECT_EQ(ended.status, 0) << output << ": " << ended.printed;
     }
@@ -130,7 +130,11 @@ TEST_F(RshRender, ChecksItsOutputsFirst) {
     for (const char* ending : {"", ".", ".pgn", ".txt", ".png.xz", ".null"})
         wrong("--out " + path(std::string("a") + ending), {"ending", ".png", ".exr"});
     wrong("--size 4x16384 --out " + path("a.webp"), {"4 x 16384", ".webp", "16383"});
-    wrong("--out " + path("a.png") + " --json " + path("a.png"), {"its own"});
+    wrong("--layers " + path("a.png"), {"--layers", "\".png\"", ".exr"});
+    wrong("--layers " + path("none/a.exr"), {"--layers", path("none/a.exr"), "folder"});
+    wrong("--out " + path("a.png") + " --json " + path("a.png"), {"--out", "its own"});
+    wrong("--out " + path("a.exr") + " --layers " + path("a.exr"), {"--out", "its own"});
+    wrong("--json " + path("a.exr") + " --layers " + path("a.exr"), {"--json", "its own"});
 }
 
 TEST_F(RshRender, ChecksTheFoldersOfAllFrames) {
