@@ -629,7 +629,7 @@ typedef struct rsh_spawn_desc {
  *         float and rounded once, to a float on the side that the new ray leaves to, and as
  *         little beside that ray as such floats allow: it may be one or two ulp of its
  *         coordinates off the surface, however large the triangle is and however far the ray
- *         came (kernels/shade/departure.h). The triangle itself is kept off by its
+ *         came (kernels/surface/departure.h). The triangle itself is kept off by its
  *         number: pass spawned_skip to rsh_traverse and rsh_audit. Without spawned_skip the
  *         origin moves off by 2^-18 of the triangle's extent as well, so that shadows and
  *         reflections of what is nearer to a large triangle than that are lost.

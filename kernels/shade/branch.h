@@ -4,12 +4,12 @@
 #ifndef RSH_SHADE_BRANCH_H
 #define RSH_SHADE_BRANCH_H
 
-#include "shade/fresnel.h"
-#include "shade/grazing.h"
-#include "shade/mirror.h"
-#include "shade/spawned_ray.h"
-#include "shade/start.h"
 #include "shade/types.h"
+#include "surface/fresnel.h"
+#include "surface/grazing.h"
+#include "surface/mirror.h"
+#include "surface/spawned_ray.h"
+#include "surface/start.h"
 
 #ifndef RSH_TRANSMISSION
 #define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */

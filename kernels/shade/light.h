@@ -4,8 +4,8 @@
 #ifndef RSH_SHADE_LIGHT_H
 #define RSH_SHADE_LIGHT_H
 
-#include "shade/grazing.h"
-#include "shade/surface.h"
+#include "surface/grazing.h"
+#include "surface/surface.h"
 
 typedef struct light_arrival {
     float3v direction; /* unit, from the surface to the light */

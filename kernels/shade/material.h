@@ -2,8 +2,8 @@
 #ifndef RSH_SHADE_MATERIAL_H
 #define RSH_SHADE_MATERIAL_H
 
-#include "shade/surface.h"
 #include "shade/texture.h"
+#include "surface/surface.h"
 
 #ifndef RSH_TEXTURE
 #define RSH_TEXTURE 0

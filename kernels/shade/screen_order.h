@@ -7,8 +7,8 @@
 #define RSH_SHADE_SCREEN_ORDER_H
 
 #include "rays/types.h"
-#include "shade/surface.h"
 #include "shade/types.h"
+#include "surface/surface.h"
 
 typedef struct cells {
     uintv x, y;

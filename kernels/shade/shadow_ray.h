@@ -3,8 +3,8 @@
 #define RSH_SHADE_SHADOW_RAY_H
 
 #include "shade/light.h"
-#include "shade/spawned_ray.h"
-#include "shade/start.h"
+#include "surface/spawned_ray.h"
+#include "surface/start.h"
 
 /* End of a ray to a light at t = 1: a triangle that the light lies on, at most 11 times as wide
  * as the ray is long and not seen flatly, is found at 1 - 2^-16 or later: t errs by 20u of 12 times

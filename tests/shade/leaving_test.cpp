@@ -188,13 +188,13 @@ size_t far_starts_with(const char* file, const char* from, const char* to,
 }
 
 TEST(LeavingStarts, ElsewhereWhereRaysMeetThePlane) {
-    EXPECT_GT(far_starts_with("shade/departure.h", "(fabs(way) <= 0x1p-18f",
+    EXPECT_GT(far_starts_with("surface/departure.h", "(fabs(way) <= 0x1p-18f",
                               "((floatv)(INFINITY) > 0x1p-18f", kBranches),
               0u);
 }
 
 TEST(LeavingStarts, ElsewhereWhereShadowRaysMeetThePlane) {
-    EXPECT_GT(far_starts_with("shade/departure.h", "(fabs(way) <= 0x1p-18f",
+    EXPECT_GT(far_starts_with("surface/departure.h", "(fabs(way) <= 0x1p-18f",
                               "((floatv)(INFINITY) > 0x1p-18f", {RSH_SPAWN_SHADOW}),
               0u);
 }

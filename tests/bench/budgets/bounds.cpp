@@ -27,12 +27,12 @@ const std::vector<Bound>& all_bounds() {
         {"may_separate", "leaving", 24, "mesh/leaving.h", "u size", 38, 0, 64},
         {"pixel_turn", "camera", 16, "lib/camera/screen.cpp", "u rows", 65, 65, 128},
         {"projection", "camera", 25, "camera/project.h", "paddings", 1, 1, 1},
-        {"barycentric_point", "spawn", 15, "shade/departure.h", "u extent", 5.2, 0, 8},
-        {"departure_point", "spawn", 15, "shade/departure.h", "its own", 1, 1, 1},
-        {"origin_side", "spawn", 18, "shade/start.h", "margin", 1, 1, 1},
-        {"origin_distance", "spawn", 18, "shade/start.h", "ulp", 2, 2, 2},
-        {"mirror", "spawn", 9, "shade/mirror.h", "u", 1.001, 1.001, 2},
-        {"grazing", "spawn", 6, "shade/grazing.h", "of 2^-16", 1.033, 1.033, 1.033},
+        {"barycentric_point", "spawn", 15, "surface/departure.h", "u extent", 5.2, 0, 8},
+        {"departure_point", "spawn", 15, "surface/departure.h", "its own", 1, 1, 1},
+        {"origin_side", "spawn", 18, "surface/start.h", "margin", 1, 1, 1},
+        {"origin_distance", "spawn", 18, "surface/start.h", "ulp", 2, 2, 2},
+        {"mirror", "spawn", 9, "surface/mirror.h", "u", 1.001, 1.001, 2},
+        {"grazing", "spawn", 6, "surface/grazing.h", "of 2^-16", 1.033, 1.033, 1.033},
     };
     return bounds;
 }

@@ -12,7 +12,7 @@ namespace {
 using test::Float3;
 using test::Long3;
 
-// Directions that lead less to their side are turned to it (kernels/shade/grazing.h).
+// Directions that lead less to their side are turned to it (kernels/surface/grazing.h).
 constexpr long double kGrazing = 0x1p-16L;
 constexpr long double kUnitError = 16 * kFloatUnit;
 // Near 0, a float routine does not know that there is something to reflect, or to let through.
@@ -36,7 +36,7 @@ Verdict judge_start(const Sight& sight, const PlaneHit& at, int away, const rsh_
     if (side_of_plane(origin, sight.corners) != side)
         return missed("starts in the plane of its triangle, or behind it");
     // Two ulp on each axis, and by twice the point's own error, which is 2^-21 of the extent at
-    // worst; far less where the triangle is well-shaped (kernels/shade/departure.h).
+    // worst; far less where the triangle is well-shaped (kernels/surface/departure.h).
     const long double height =
         std::fabs(dot(at.normal, Long3(origin) - Long3(sight.corners[0])));
     const long double share =

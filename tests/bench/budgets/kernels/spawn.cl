@@ -1,4 +1,4 @@
-/* spawn.cl - the bounds of shade/departure.h, shade/start.h, shade/mirror.h and shade/grazing.h. */
+/* spawn.cl - the bounds of surface/departure.h, surface/start.h, surface/mirror.h and surface/grazing.h. */
 
 /* One lane. */
 static float3v lane_of(float3 v) {

@@ -1,8 +1,8 @@
 /* spawned_ray.h - what the kernels that make rays write. */
-#ifndef RSH_SHADE_SPAWNED_RAY_H
-#define RSH_SHADE_SPAWNED_RAY_H
+#ifndef RSH_SURFACE_SPAWNED_RAY_H
+#define RSH_SURFACE_SPAWNED_RAY_H
 
-#include "shade/surface.h"
+#include "surface/surface.h"
 
 /* What a block of hits sends out. */
 typedef struct sent_rays {

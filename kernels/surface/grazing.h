@@ -1,6 +1,6 @@
 /* grazing.h - how flat over a surface rays leave. */
-#ifndef RSH_SHADE_GRAZING_H
-#define RSH_SHADE_GRAZING_H
+#ifndef RSH_SURFACE_GRAZING_H
+#define RSH_SURFACE_GRAZING_H
 
 #include "mesh/algebra_lanes.h"
 

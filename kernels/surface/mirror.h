@@ -1,9 +1,9 @@
 /* mirror.h - the directions of mirrored rays, rounded once: in a chain of curved mirrors every
  * error grows from bounce to bounce. */
-#ifndef RSH_SHADE_MIRROR_H
-#define RSH_SHADE_MIRROR_H
+#ifndef RSH_SURFACE_MIRROR_H
+#define RSH_SURFACE_MIRROR_H
 
-#include "shade/departure.h"
+#include "surface/departure.h"
 
 /* The share that `part` has of `whole`, of normals of the same plane, by its largest component. */
 static twofoldv share_of(twofold3v part, twofold3v whole)

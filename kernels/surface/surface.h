@@ -1,8 +1,8 @@
 /* surface.h - the points of surfaces that a block of RSH_WIDTH rays hits: where, which way they face,
  * of what they are. Which rays are in the block is the caller's to say. Computes no colour and no ray.
  */
-#ifndef RSH_SHADE_SURFACE_H
-#define RSH_SHADE_SURFACE_H
+#ifndef RSH_SURFACE_SURFACE_H
+#define RSH_SURFACE_SURFACE_H
 
 #include "lanes/rows.h"
 #include "mesh/algebra_lanes.h"
@@ -180,7 +180,7 @@ static float3v triangle_normals(const edge_lanes* edges)
 
 /* The barycentric point, as an offset from a corner: an error of u or v moves it along the
  * triangle only, and the size of the coordinates counts once, in the last sum. Good enough to
- * be lit; rays start at that of shade/departure.h. */
+ * be lit; rays start at that of surface/departure.h. */
 static float3v offset_from_v0(const surface_lanes* surface, const ray_lanes* block)
 {
     return sum_v(scaled_v(block->u, minus_v(surface->v1, surface->v0)),

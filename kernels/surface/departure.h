@@ -22,10 +22,10 @@
  * to the surface than that is not resolved. Of a triangle much larger than its distance from
  * the origin of coordinates, the corners' own rounding decides where it is.
  */
-#ifndef RSH_SHADE_DEPARTURE_H
-#define RSH_SHADE_DEPARTURE_H
+#ifndef RSH_SURFACE_DEPARTURE_H
+#define RSH_SURFACE_DEPARTURE_H
 
-#include "shade/surface.h"
+#include "surface/surface.h"
 
 typedef struct departure_lanes {
     twofold3v normal;  /* of the triangle, of any length */
@@ -72,7 +72,7 @@ static intv find_points(const surface_lanes* surface, const ray_lanes* block, fl
     return (from->error <= 0x1p-21f * extent) & (fabs(way) <= 0x1p-18f * (extent + reach));
 }
 
-/* As in shade/surface.h. Edges err by u = 2^-24, products by u, their sum by u, and u + v <= 1:
+/* As in surface/surface.h. Edges err by u = 2^-24, products by u, their sum by u, and u + v <= 1:
  * with the triangle's extent L the offset errs by 3uL on each axis, and the sum with the corner
  * is exact. */
 static void take_barycentric_points(const surface_lanes* surface, const ray_lanes* block,

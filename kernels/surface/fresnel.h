@@ -1,8 +1,8 @@
 /* fresnel.h - how light splits at the surfaces of dielectrics (Born and Wolf, section 1.5). */
-#ifndef RSH_SHADE_FRESNEL_H
-#define RSH_SHADE_FRESNEL_H
+#ifndef RSH_SURFACE_FRESNEL_H
+#define RSH_SURFACE_FRESNEL_H
 
-#include "shade/surface.h"
+#include "surface/surface.h"
 
 typedef struct dielectric_lanes {
     floatv eta;       /* index of refraction behind the surface / before it                   */

@@ -1,8 +1,8 @@
-/* start.h - the floats that rays start at, of those around a point that shade/departure.h found. */
-#ifndef RSH_SHADE_START_H
-#define RSH_SHADE_START_H
+/* start.h - the floats that rays start at, of those around a point that surface/departure.h found. */
+#ifndef RSH_SURFACE_START_H
+#define RSH_SURFACE_START_H
 
-#include "shade/departure.h"
+#include "surface/departure.h"
 
 /* The floats next to v, towards the signs of `way`. */
 static floatv next_floats(floatv v, floatv way)
