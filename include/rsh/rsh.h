@@ -435,6 +435,9 @@ typedef struct rsh_build_desc {
                          slowly. 0: nodes bound them from their origins */
     cl_uint shape;    /* RSH_SHAPE_... */
     cl_mem scratch;   /* box, lists */
+    cl_mem list_count; /* in: one cl_uint: how many rays a list has, of `width` at most, where
+                          only the device knows; a larger number counts as `width`. NULL: width,
+                          and the only choice of a grid                                       */
 } rsh_build_desc;
 
 RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* desc,
@@ -445,8 +448,10 @@ RSH_API rsh_status rsh_build_query(rsh_context context, const rsh_build_desc* de
  * Effect:  every node contains all active rays below it, rounding included. Lists of box are
  *          sorted by direction and origin where rays that follow each other are no neighbours;
  *          the rays themselves and their answers stay where they are.
+ *          list_count: only that many rays are read and bounded; sizes are those of `width`.
  * Cost:    O(rays). cone: one launch per level, 43 bytes per ray; box: one launch, 3.5 bytes,
- *          for a list 8 launches, 7.5 bytes and about 10 of scratch. */
+ *          for a list 7 launches, 7.5 bytes and about 10 of scratch. With list_count as many
+ *          launches as `width` needs, whose work-items beyond the count return at once. */
 RSH_API rsh_status rsh_build(rsh_context context, cl_command_queue queue,
                              const rsh_build_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -527,6 +532,8 @@ typedef struct rsh_traverse_desc {
     cl_mem skip;           /* in: width * height x cl_uint: a triangle that the ray does not hit,
                               such as the one it left, see rsh_spawn_desc; RSH_NO_HIT: none;
                               NULL: none for all rays                                         */
+    cl_mem list_count;     /* in: as in rsh_build_desc; the same number, if it took one: nodes
+                              of another count as made for another list                       */
 } rsh_traverse_desc;
 
 #define RSH_MIN_BUDGET 65536
@@ -551,6 +558,8 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          the ray moves away from, parallel to that triangle or to the one skipped; or in the
  *          latter one (kernels/mesh/leaving.h). No true hit is lost by that, but one that only
  *          touches the triangle where the ray starts.
+ *          list_count: the answers of a list of that many rays; other hits and masks are neither
+ *          read nor written. Statistics count the tests of these rays.
  * Errors:  a hit is within 47 * 2^-24 of its triangle, in units of the farthest component of a corner
  *          seen from the ray's origin (docs/numerics.md): some tens for a ground of 1e7, farther
  *          along a ray nearly in its plane; what is nearer to it may be seen behind it. A ray that

@@ -60,9 +60,10 @@ __kernel void rsh_order_measure(mesh_view mesh, __global const float* vertices,
     const bool is_kept = keeps_order(is_refit, now, bvh, layout);
     if (is_refit && get_global_id(0) == 0 && const_head_of(bvh)->made != RSH_BVH_MADE)
         atomic_or(wrong, RSH_WRONG_BOUNDS);
-    if (get_global_id(0) == 0) *sorting = (sort_plan){!is_kept, 0};
+    if (get_global_id(0) == 0)
+        *sorting = (sort_plan){!is_kept, 0, mesh.triangle_count, get_global_size(0)};
     if (is_kept) return;
-    const range16 mine = my_range16(mesh.triangle_count);
+    const range16 mine = my_range16(mesh.triangle_count, get_global_size(0));
     sample_bounds bounds = empty_bounds();
     for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
         corner_rows corners;
@@ -127,7 +128,7 @@ __kernel void rsh_order_keys(mesh_view mesh, __global const float* vertices,
                              __global uint* keys, __global uint* bins)
 {
     if (!sorting->is_needed) return;
-    const range16 mine = my_range16(mesh.triangle_count);
+    const range16 mine = my_range16(mesh.triangle_count, get_global_size(0));
     const key_grid grid = grid_of(samples, cell_bits);
     if (get_global_id(0) == 0) {
         sorting->bin_shift = grid.bin_shift;

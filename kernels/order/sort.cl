@@ -9,10 +9,11 @@
 
 /* Turns counts into places: where a work-item's elements of a bin begin, behind all lower bins
  * and those of earlier work-items in this one. One work-item. */
-__kernel void rsh_sort_scan(uint items, uint bin_count, __global const sort_plan* sorting,
+__kernel void rsh_sort_scan(uint bin_count, __global const sort_plan* sorting,
                             __global uint* bins)
 {
     if (get_global_id(0) != 0 || !sorting->is_needed) return;
+    const uint items = sorting->items;
     uint sum = 0;
     for (uint b = 0; b < bin_count; ++b)
         for (uint i = 0; i < items; ++i) {
@@ -32,13 +33,13 @@ static void load_keys(__global const uint* keys, uint count, uint* key)
         for (uint k = 0; k < count; ++k) key[k] = keys[k];
 }
 
-__kernel void rsh_sort_scatter(uint count, uint bin_count, __global const sort_plan* sorting,
+__kernel void rsh_sort_scatter(uint bin_count, __global const sort_plan* sorting,
                                __global const uint* keys, __global uint* bins,
                                __global uint* order, ulong first)
 {
     if (!sorting->is_needed) return;
-    const range16 mine = my_range16(count);
-    const uint bin_shift = sorting->bin_shift;
+    const uint count = sorting->count, bin_shift = sorting->bin_shift;
+    const range16 mine = my_range16(count, sorting->items);
     __global uint* own = bins + (ulong)bin_count * get_global_id(0);
     for (uint g = mine.begin; g < mine.end; ++g) {
         const uint here = min(16u, count - 16 * g);
@@ -78,7 +79,7 @@ static void sort_by_digit(__global uint* order, uint count, __global const uint*
 /* A work-item sorts a range of bins. bins: as rsh_sort_scatter leaves them; the last
  * work-item's entry of a bin is where that bin ends. Up to 16 elements stay: they make a leaf
  * or a block anyway. */
-__kernel void rsh_sort_refine(uint items, uint bin_count, __global const sort_plan* sorting,
+__kernel void rsh_sort_refine(uint bin_count, __global const sort_plan* sorting,
                               __global const uint* keys, __global const uint* bins,
                               __global uint* sorted, __global uint* order, ulong first)
 {
@@ -86,7 +87,7 @@ __kernel void rsh_sort_refine(uint items, uint bin_count, __global const sort_pl
     if (!sorting->is_needed || bin_shift == 0) return;
     const uint bins_per_item = (bin_count + get_global_size(0) - 1) / get_global_size(0);
     const uint first_bin = bins_per_item * (uint)get_global_id(0);
-    __global const uint* end = bins + (ulong)bin_count * (items - 1);
+    __global const uint* end = bins + (ulong)bin_count * (sorting->items - 1);
     for (uint b = first_bin; b < min(first_bin + bins_per_item, bin_count); ++b) {
         const uint begin = b ? end[b - 1] : 0, count = end[b] - begin;
         if (count <= 16) continue;

@@ -14,10 +14,11 @@ typedef struct range16 {
     uint begin, end;
 } range16;
 
-/* Of `count` elements, those of this work-item; the last group may be short. */
-static range16 my_range16(uint count)
+/* Of `count` elements, those of this work-item, the last group of which may be short. items: that
+ * share them; those launched beside them have none. */
+static range16 my_range16(uint count, uint items)
 {
-    const uint sixteens = (count + 15) / 16, items = get_global_size(0);
+    const uint sixteens = (count + 15) / 16;
     const uint per_item = (sixteens + items - 1) / items;
     const uint begin = min(sixteens, per_item * (uint)get_global_id(0));
     return (range16){begin, min(sixteens, begin + per_item)};

@@ -1,11 +1,15 @@
 /* build_boxes.cl - the ray hierarchy of node shape `box`, bottom-up.
- *   rays   in   level 0
- *   nodes  out  box_node16 per tile: its blocks
+ *   rays        in   level 0
+ *   list_count  in   how many rays of a list there are; NULL: all
+ *   sorting     in   whether a list has an order, which lies in `nodes` from word order_at on;
+ *                    NULL: none
+ *   nodes       out  box_node16 per tile: its blocks
  * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test
  * anything against the scene.
  */
 #include "order/types.h"
 #include "rays/box_node.h"
+#include "rays/levels.h"
 #include "rays/nodes_head.h"
 #include "rays/tile_layout.h"
 
@@ -98,20 +102,20 @@ static void clear_rows(uint b, node_rows* rows)
     rows->row[12][b] = -1.0f;
 }
 
-/* Writes behind the nodes of a list whether its rays are sorted. */
-__kernel void rsh_build_boxes_order(ray_levels shape, __global const sort_plan* sorting,
-                                    __global uint* nodes)
-{
-    if (get_global_id(0) == 0) nodes[order_behind(shape) + shape.width[0]] = sorting->is_needed;
-}
-
-__kernel void rsh_build_boxes(ray_levels shape, __global const rsh_ray* rays,
-                              uint is_converging, __global float* nodes)
+__kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
+                              __global const rsh_ray* rays, uint is_converging,
+                              __global const sort_plan* sorting, uint order_at,
+                              __global float* nodes)
 {
     const uint me = get_global_id(0);
-    if (me == 0) write_nodes_head(shape, RSH_BOXES_MADE, nodes);
-    if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
-    const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
+    const ray_levels levels = counted_levels(shape, list_count);
+    const bool is_sorted = sorting && sorting->is_needed;
+    if (me == 0)
+        write_nodes_head(shape, levels.width[0], RSH_BOXES_MADE, is_sorted ? order_at : 0,
+                         nodes);
+    if (me >= tile_count(levels)) return; /* the launch is for all places */
+    const ray_tile tile =
+        tile_at(levels, is_sorted ? (__global const uint*)nodes + order_at : 0, me);
     node_rows rows;
     for (uint b = 0; b < 16; ++b) {
         ray_block block;

@@ -165,7 +165,7 @@ __kernel void rsh_build_cones_rays(ray_levels levels, __global const rsh_ray* ra
                                    uint is_converging, __global uint* nodes)
 {
     const uint i = get_global_id(0);
-    if (i == 0) write_nodes_head(levels, RSH_CONES_MADE, nodes);
+    if (i == 0) write_nodes_head(levels, levels.width[0], RSH_CONES_MADE, 0, nodes);
     if (i >= levels.width[1] * levels.height[1]) return;
     cone_node4 quad;
     for (uint k = 0; k < 4; ++k)

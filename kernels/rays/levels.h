@@ -14,6 +14,26 @@
 /* log2 of ray_levels::branching, which is 2 or 4. */
 static uint branching_bits(const ray_levels* levels) { return levels->branching / 2; }
 
+/* Of `most` rays, those that there are: the device may know of fewer. list_count: 0: all. */
+static uint counted_rays(uint most, __global const uint* list_count)
+{
+    return list_count ? min(*list_count, most) : most;
+}
+
+/* The levels of those rays of a list that there are. Nodes stay at their places, so that
+ * first_child_group does; the root is as low as it can be. */
+static ray_levels counted_levels(ray_levels levels, __global const uint* list_count)
+{
+    if (!list_count) return levels;
+    const uint bits = branching_bits(&levels);
+    levels.width[0] = counted_rays(levels.width[0], list_count);
+    for (uint l = 0; l < RSH_MAX_LEVELS; ++l)
+        levels.width[l + 1] = (levels.width[l] + (1u << 2 * bits) - 1) >> 2 * bits;
+    /* Boxes have two levels at least, cones one. */
+    while (levels.count > bits && levels.width[levels.count - 1] <= 1) --levels.count;
+    return levels;
+}
+
 /* Index, in its level, of child k of node `parent` of level + 1; RSH_NO_NODE: the level has no
  * such node. Worked example, a grid 5 wide, branching 2: parent 4 of level 1 (3 wide) is (1,
  * 1); its child 1 at level 0 is (3, 2): index 2 * 5 + 3. */

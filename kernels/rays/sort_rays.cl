@@ -1,6 +1,7 @@
 /* sort_rays.cl - keys for the order in which the rays of a list make blocks: by the octant of
  * their direction, then along Hilbert's curve by their origin.
- *   rays           in   a list
+ *   rays           in   a list with room for `width` of them
+ *   list_count     in   how many there are; NULL: `width`
  *   sorting, keys  out  for order/sort.cl
  *   bins           out  how many rays are in each bin
  * Consecutive rays mostly are neighbours already, and stay as they are. In a queue that was
@@ -9,8 +10,15 @@
  */
 #include "order/hilbert.h"
 #include "order/sort.h"
+#include "rays/levels.h"
 #include "rays/ray_block.h"
 #include "tuning.h"
+
+/* Work-items that share the rays, as the host counts them where it knows `count`. */
+static uint items_of(uint count)
+{
+    return min((uint)get_global_size(0), (uint)RSH_SORT_ITEMS(count, RSH_RAY_BINS));
+}
 
 /* Group number `sixteen` of a list, as block 0 of a tile. */
 static ray_tile list_of(uint count, uint sixteen)
@@ -43,10 +51,12 @@ static void add_bounds(sample_bounds* whole, const sample_bounds* part)
     }
 }
 
-__kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint count,
+__kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint width,
+                                    __global const uint* list_count,
                                     __global sample_bounds* samples)
 {
-    const range16 mine = my_range16(count);
+    const uint count = counted_rays(width, list_count);
+    const range16 mine = my_range16(count, items_of(count));
     sample_bounds bounds = empty_bounds();
     for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
         ray_block block;
@@ -69,12 +79,14 @@ static bool is_incoherent_block(const ray_block* block, float whole, float share
 }
 
 /* sampled: how many groups this work-item looked at, and how many of them are incoherent. */
-__kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint count, uint converging,
+__kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint width,
+                                   __global const uint* list_count, uint converging,
                                    __global const sample_bounds* samples,
                                    __global uint2* sampled)
 {
-    const range16 mine = my_range16(count);
-    const sample_bounds whole = merged_bounds(samples, get_global_size(0));
+    const uint count = counted_rays(width, list_count), items = items_of(count);
+    const range16 mine = my_range16(count, items);
+    const sample_bounds whole = merged_bounds(samples, items);
     const float longest = longest_side(&whole);
     const float share = converging ? RSH_CONVERGING_EXTENT : RSH_INCOHERENT_EXTENT;
     uint2 sum = (uint2)(0);
@@ -105,19 +117,21 @@ static void keys_of_rays(const ray_block* block, const sample_bounds* whole, uin
     }
 }
 
-__kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint count,
+__kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint width,
+                                 __global const uint* list_count,
                                  __global const sample_bounds* samples,
                                  __global const uint2* sampled, __global sort_plan* sorting,
                                  __global uint* keys, __global uint* bins)
 {
     const uint me = get_global_id(0), bin_shift = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
+    const uint count = counted_rays(width, list_count), items = items_of(count);
     uint2 sum = (uint2)(0);
-    for (uint i = 0; i < get_global_size(0); ++i) sum += sampled[i];
+    for (uint i = 0; i < items; ++i) sum += sampled[i];
     const bool is_needed = sum.y > RSH_INCOHERENT_RAYS(sum.x);
-    if (me == 0) *sorting = (sort_plan){is_needed, bin_shift};
-    if (!is_needed) return;
-    const range16 mine = my_range16(count);
-    const sample_bounds whole = merged_bounds(samples, get_global_size(0));
+    if (me == 0) *sorting = (sort_plan){is_needed, bin_shift, count, items};
+    if (!is_needed || me >= items) return;
+    const range16 mine = my_range16(count, items);
+    const sample_bounds whole = merged_bounds(samples, items);
     __global uint* own = bins + (ulong)RSH_RAY_BINS * me;
     for (uint b = 0; b < RSH_RAY_BINS; ++b) own[b] = 0;
     for (uint g = mine.begin; g < mine.end; ++g) {

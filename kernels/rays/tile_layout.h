@@ -13,20 +13,10 @@ typedef struct ray_tile {
 
 static uint tile_count(ray_levels shape) { return shape.width[2] * shape.height[2]; }
 
-/* Where the order of a list's rays lies behind its nodes, in words; and behind that a word that
- * says whether there is one. */
-static ulong order_behind(ray_levels shape)
+/* order: of a list; 0: as the rays lie. */
+static ray_tile tile_at(ray_levels shape, __global const uint* order, uint tile)
 {
-    return RSH_RAY_ORDER_AT((ulong)tile_count(shape));
-}
-
-static ray_tile tile_at(ray_levels shape, __global const uint* nodes, uint tile)
-{
-    if (shape.is_list) {
-        const uint count = shape.width[0];
-        __global const uint* order = nodes + order_behind(shape);
-        return (ray_tile){count, 0, 256 * tile, 0, order[count] ? order : 0};
-    }
+    if (shape.is_list) return (ray_tile){shape.width[0], 0, 256 * tile, 0, order};
     const uint columns = shape.width[2];
     return (ray_tile){shape.width[0], shape.height[0], tile % columns * 16, tile / columns * 16,
                       0};

@@ -34,8 +34,11 @@ RSH_ASSERT_SIZE(box_node16, 896);
 /* What nodes say of themselves at their start. */
 typedef struct nodes_head {
     rsh_uint made; /* RSH_CONES_MADE or RSH_BOXES_MADE; any other word: they are none */
-    rsh_uint width, height, is_list; /* of their rays */
-    rsh_uint unused[12];             /* nodes begin at a cache line */
+    rsh_uint width, height, is_list; /* of their rays' places */
+    rsh_uint counted;                /* rays in a row that there are, see counted_levels */
+    rsh_uint
+        order_at; /* word where the order of a list's rays begins, see ray_levels; 0: none */
+    rsh_uint unused[10]; /* nodes begin at a cache line */
 } nodes_head;
 RSH_ASSERT_SIZE(nodes_head, 64);
 
@@ -54,9 +57,8 @@ RSH_ASSERT_SIZE(nodes_head, 64);
  *       first_child_group[l] + index.
  * box:  branching 4, level 1 are blocks, level 2 tiles, and that is all; the children of a tile
  * are
- *       one box_node16, number index. Behind those of a list lie a word per ray and one
- *       more. If that is 1, the list is sorted: the words are the rays in their order, and
- *       children mean places in it. */
+ *       one box_node16, number index. Behind those of a list lies a word per ray. If the list is
+ *       sorted, the words are the rays in their order, and children mean places in it. */
 typedef struct ray_levels {
     rsh_uint count;
     rsh_uint is_list; /* 1: every level has height 1, children in a row */

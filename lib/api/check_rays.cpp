@@ -19,6 +19,14 @@ void check_ray_grid(cl_uint width, cl_uint height) {
     require(height <= kMaxSide, "height", height, "at most ", kMaxSide);
 }
 
+// A list may be shorter than the host knows.
+template <class Desc>
+void check_list_count(const Desc& desc) {
+    if (!desc.list_count) return;
+    require(desc.height <= 1, "height", desc.height, "0 or 1 with a list_count");
+    require(desc.shape == RSH_SHAPE_BOX, "list_count: shape", desc.shape, "RSH_SHAPE_BOX");
+}
+
 void check_ray_count(cl_uint ray_count) {
     require(ray_count <= kMaxRays, "ray_count", ray_count, "at most ", kMaxRays);
 }
@@ -42,12 +50,14 @@ void check_shape(const rsh_build_desc& desc) {
     check_ray_grid(desc.width, desc.height);
     require(desc.converging <= 1, "converging", desc.converging, "0 or 1");
     find_shape(desc.shape);
+    check_list_count(desc);
 }
 
 void check_buffers(const Context& context, const rsh_build_desc& desc) {
     Buffers buffers(context);
     const NodeShape& shape = find_shape(desc.shape);
     buffers.in("rays", desc.rays, ray_count(desc.width, desc.height) * sizeof(rsh_ray));
+    buffers.optional_in("list_count", desc.list_count, 4);
     const ray_levels levels = shape.levels(desc.width, desc.height);
     buffers.out("nodes", desc.nodes, shape.bytes(levels));
     buffers.scratch(desc.scratch, shape.scratch(context, levels).bytes());
@@ -58,6 +68,7 @@ void check_shape(const rsh_traverse_desc& desc) {
     check_ray_grid(desc.width, desc.height);
     check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
+    check_list_count(desc);
     check_query(desc);
     check_budget(desc.budget);
 }
@@ -68,6 +79,7 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     const cl_ulong rays = ray_count(desc.width, desc.height);
     const Engine& engine = find_engine(desc.engine);
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
+    buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
     if (engine.node_shape() != RSH_SHAPE_DEFAULT) {
         const NodeShape& shape = find_shape(desc.shape);

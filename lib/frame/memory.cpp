@@ -199,7 +199,8 @@ rsh_build_desc FrameMemory::build(const Wave& wave) const {
             scratch_["nodes"],
             0,
             desc_.shape,
-            scratch_["build scratch"]};
+            scratch_["build scratch"],
+            nullptr};
 }
 
 rsh_traverse_desc FrameMemory::traverse(const Wave& wave) const {

@@ -10,11 +10,10 @@ KernelName tiles_kernel(const char* kernel) {
     return {"programs/tiles", kernel};
 }
 
-// No more bins than elements, but for four work-items.
 Sort::Sort(cl_uint count, cl_uint bins, cl_uint compute_units)
     : count_(count),
       bins_(bins),
-      items_(std::min({compute_units * 2, std::max(4u, count / bins), 64u})) {}
+      items_(std::min({compute_units * 2, RSH_SORT_ITEMS(count, bins), 64u})) {}
 
 void Sort::reserve(Layout& layout) const {
     layout.add_array<sample_bounds>("samples", items_);
@@ -27,11 +26,11 @@ void Sort::reserve(Layout& layout) const {
 void Sort::run(Recorder& recorder, cl_uint stage, const Scratch& scratch, cl_mem order,
                cl_ulong first) const {
     const cl_mem sorting = scratch["sorting"], keys = scratch["keys"], bins = scratch["bins"];
-    recorder.launch(stage, tiles_kernel("rsh_sort_scan"), {1, 1}, items_, bins_, sorting, bins);
-    recorder.launch(stage, tiles_kernel("rsh_sort_scatter"), items(), count_, bins_, sorting,
-                    keys, bins, order, first);
-    recorder.launch(stage, tiles_kernel("rsh_sort_refine"), {size_t{16} * items_, 1}, items_,
-                    bins_, sorting, keys, bins, scratch["sorted"], order, first);
+    recorder.launch(stage, tiles_kernel("rsh_sort_scan"), {1, 1}, bins_, sorting, bins);
+    recorder.launch(stage, tiles_kernel("rsh_sort_scatter"), items(), bins_, sorting, keys,
+                    bins, order, first);
+    recorder.launch(stage, tiles_kernel("rsh_sort_refine"), {size_t{16} * items_, 1}, bins_,
+                    sorting, keys, bins, scratch["sorted"], order, first);
 }
 
 }  // namespace rsh

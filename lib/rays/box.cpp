@@ -13,22 +13,20 @@ Sort sort_of_rays(const Context& context, const ray_levels& list) {
     return {list.width[0], RSH_RAY_BINS, context.caps.compute_units};
 }
 
-// rays/sort_rays.cl; the order goes behind the nodes of a list.
+// rays/sort_rays.cl; the order goes to `nodes`, from word order_at on.
 void order_rays(Recorder& recorder, const rsh_build_desc& desc, const ray_levels& list,
-                const Scratch& scratch) {
+                const Scratch& scratch, cl_uint order_at) {
     const Sort sort = sort_of_rays(recorder.context(), list);
     const cl_uint rays = list.width[0];
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_measure"), sort.items(),
-                    desc.rays, rays, scratch["samples"]);
+                    desc.rays, rays, desc.list_count, scratch["samples"]);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_sample"), sort.items(),
-                    desc.rays, rays, desc.converging, scratch["samples"], scratch["sampled"]);
+                    desc.rays, rays, desc.list_count, desc.converging, scratch["samples"],
+                    scratch["sampled"]);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_keys"), sort.items(),
-                    desc.rays, rays, scratch["samples"], scratch["sampled"], scratch["sorting"],
-                    scratch["keys"], scratch["bins"]);
-    sort.run(recorder, RSH_STAGE_BUILD, scratch, desc.nodes,
-             RSH_RAY_ORDER_AT(node_count(list, 2)));
-    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_boxes_order"), {1, 1}, list,
-                    scratch["sorting"], desc.nodes);
+                    desc.rays, rays, desc.list_count, scratch["samples"], scratch["sampled"],
+                    scratch["sorting"], scratch["keys"], scratch["bins"]);
+    sort.run(recorder, RSH_STAGE_BUILD, scratch, desc.nodes, order_at);
 }
 
 class Box final : public NodeShape {
@@ -41,7 +39,7 @@ public:
     }
 
     size_t bytes(const ray_levels& levels) const override {
-        const size_t order = levels.is_list ? size_t{levels.width[0]} + 1 : 0;
+        const size_t order = levels.is_list ? levels.width[0] : 0;
         return sizeof(nodes_head) + node_count(levels, 2) * sizeof(box_node16) +
                order * sizeof(cl_uint);
     }
@@ -58,10 +56,12 @@ public:
     void build(Recorder& recorder, const rsh_build_desc& desc) const override {
         const ray_levels shape = levels(desc.width, desc.height);
         const Scratch memory(recorder, scratch(recorder.context(), shape), desc.scratch);
-        if (shape.is_list) order_rays(recorder, desc, shape, memory);
+        const auto order_at = static_cast<cl_uint>(RSH_RAY_ORDER_AT(node_count(shape, 2)));
+        if (shape.is_list) order_rays(recorder, desc, shape, memory, order_at);
         recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_build_boxes"),
-                        recorder.serial_range(node_count(shape, 2)), shape, desc.rays,
-                        desc.converging, desc.nodes);
+                        recorder.serial_range(node_count(shape, 2)), shape, desc.list_count,
+                        desc.rays, desc.converging, memory.find("sorting"), order_at,
+                        desc.nodes);
     }
 };
 

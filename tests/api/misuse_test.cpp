@@ -118,6 +118,36 @@ TEST_F(Misuse, OfScratchForListsOfRays) {
                             RSH_BUFFER_TOO_SMALL, {"scratch", "4 bytes"});
 }
 
+TEST_F(Misuse, OfListsCountedOnTheDevice) {
+    const test::Buffer<uint32_t> count(1);
+    const cl::Buffer half(test::device().context, CL_MEM_READ_WRITE, 2);
+    const cl::Context other(test::device().device);
+    const cl::Buffer foreign(other, CL_MEM_READ_WRITE, 4);
+    const auto refuses_wrong_counts = [&](auto list) {
+        using Desc = decltype(list);
+        list.shape = RSH_SHAPE_BOX;
+        list.list_count = count.get();
+        refuses<Desc>(list, [](Desc& d) { d.height = 2; }, RSH_INVALID_VALUE,
+                      {"height", "2", "0 or 1", "list_count"});
+        list.width *= list.height;
+        list.height = 1;
+        refuses<Desc>(list, [&](Desc& d) { d.list_count = half(); }, RSH_BUFFER_TOO_SMALL,
+                      {"list_count", "2 bytes", "4"});
+        refuses<Desc>(list, [&](Desc& d) { d.list_count = foreign(); }, RSH_INVALID_VALUE,
+                      {"list_count", "context"});
+        return list;
+    };
+    using Build = rsh_build_desc;
+    const test::Buffer<uint8_t> nodes(1u << 20);
+    refuses<Build>(refuses_wrong_counts(valid_.build()),
+                   [&](Build& d) { d.list_count = d.nodes = nodes.get(); }, RSH_INVALID_VALUE,
+                   {"nodes", "overlap", "list_count"});
+    using Traverse = rsh_traverse_desc;
+    refuses<Traverse>(refuses_wrong_counts(valid_.traverse()),
+                      [](Traverse& d) { d.list_count = d.hits; }, RSH_INVALID_VALUE,
+                      {"hits", "overlap", "list_count"});
+}
+
 TEST_F(Misuse, OfReduceIsRefused) {
     using Desc = rsh_reduce_desc;
     const auto desc = valid_.reduce();

@@ -33,7 +33,11 @@ public:
         desc.shape = options.bound ? options.bound : rsh_engine_shape(options.engine);
         desc.strategy = options.strategy;
         desc.budget = options.budget;
-        if (options.engine != RSH_ENGINE_BRUTE_FORCE) add_nodes(options.converging);
+        if (options.engine != RSH_ENGINE_BRUTE_FORCE) {
+            take_count(options.nodes_count ? options.nodes_count : options.list_count);
+            add_nodes(options.converging);
+        }
+        take_count(options.list_count);
         if (options.own_bounds) add_bounds(mesh, options.earlier);
         own_scratch_ = options.own_scratch;
         before_batch_ = options.before_batch;
@@ -63,6 +67,12 @@ public:
     rsh_traverse_desc desc = {};
 
 private:
+    void take_count(const std::optional<uint32_t>& count) {
+        if (!count) return;
+        count_.write({*count});
+        desc.list_count = count_.get();
+    }
+
     void add_nodes(bool converging) {
         rsh_build_desc build = {};
         build.struct_size = sizeof build;
@@ -71,6 +81,7 @@ private:
         build.height = desc.height;
         build.converging = converging;
         build.shape = desc.shape;
+        build.list_count = desc.list_count;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_build_query(context_, &build, &sizes));
@@ -105,6 +116,7 @@ private:
 
     Buffer<rsh_ray> rays_;
     Buffer<uint32_t> skip_;
+    Buffer<uint32_t> count_{1};
     rsh_context context_;
     bool own_scratch_ = false;
     std::function<void()> before_batch_;
@@ -152,16 +164,13 @@ RayOrder ray_order(const BuiltNodes& built) {
     const ray_levels& l = built.levels;
     const size_t tiles = size_t(l.width[2]) * l.height[2],
                  count = size_t(l.width[0]) * l.height[0];
-    RayOrder order = {false, std::vector<uint32_t>(count)};
+    nodes_head head;
+    std::memcpy(&head, built.bytes.data(), sizeof head);
+    RayOrder order = {head.order_at != 0, std::vector<uint32_t>(count)};
     std::iota(order.rays.begin(), order.rays.end(), 0u);
-    if (!l.is_list) return order;
-    std::vector<uint32_t> behind(count + 1);
-    std::memcpy(behind.data(),
-                built.bytes.data() + sizeof(nodes_head) + tiles * sizeof(box_node16),
-                behind.size() * sizeof behind[0]);
-    order.is_sorted = behind[count] != 0;
-    behind.pop_back();
-    if (order.is_sorted) order.rays = behind;
+    if (!order.is_sorted) return order;
+    EXPECT_EQ(head.order_at, RSH_RAY_ORDER_AT(tiles));
+    std::memcpy(order.rays.data(), built.bytes.data() + 4 * size_t{head.order_at}, 4 * count);
     return order;
 }
 

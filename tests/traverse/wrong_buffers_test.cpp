@@ -108,6 +108,14 @@ TEST_P(WrongBuffers, AreNodesOfAList) {
     expect_no_hits_and_told("nodes");
 }
 
+TEST_P(WrongBuffers, AreNodesOfAShorterList) {
+    bound();
+    build(kWidth * kHeight - 1, 1);
+    traverse_.width = kWidth * kHeight;
+    traverse_.height = 1;
+    expect_no_hits_and_told("nodes");
+}
+
 TEST_P(WrongBuffers, AreNodesNeverBuilt) {
     bound();
     expect_no_hits_and_told("nodes");

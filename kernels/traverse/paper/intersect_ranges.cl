@@ -36,7 +36,7 @@ __kernel void rsh_intersect_ranges(ray_levels shape, mesh_view mesh,
     const ray_levels levels = shape;
     const range_target target = {
         {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
-    const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
+    const ray_tile tile = tile_at(shape, order_in(nodes), me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
         if (node == RSH_NO_NODE || ranges[node].y == 0) continue;
@@ -92,7 +92,7 @@ __kernel void rsh_intersect_ranges_finish(
     const triangle_range range = range_of_parent(step, ranges, ancestor);
     const range_target target = {
         {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
-    const ray_tile tile = tile_at(shape, (__global const uint*)nodes, me);
+    const ray_tile tile = tile_at(shape, order_in(nodes), me);
     sibling_nodes blocks;
     load_siblings(&blocks, nodes + RSH_NODES_HEAD_WORDS + (ulong)RSH_GROUP_FLOATS * me);
     gathered_triangles gathered;

@@ -31,8 +31,9 @@ __kernel void rsh_traverse_ranges_count(
         slice_of(range_of_parent(step, ranges, parent), me % step.slices, step.slices);
     uint16 count = (uint16)(0);
     const bool is_right =
-        !step.is_root || are_right(are_made_of(bounds, scene_shape),
-                                   nodes_are_of(shape, RSH_BOXES_MADE, nodes), wrong);
+        !step.is_root ||
+        are_right(are_made_of(bounds, scene_shape),
+                  nodes_are_of(shape, shape.width[0], RSH_BOXES_MADE, nodes), wrong);
     if (slice.count > 0) {
         sibling_nodes siblings;
         load_siblings(

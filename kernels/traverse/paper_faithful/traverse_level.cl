@@ -65,7 +65,7 @@ __kernel void rsh_traverse_level_root(ray_levels shape, uint level, uint first_t
 {
     const ray_levels levels = shape;
     if (!are_right(spheres_are_of(triangles, bounds),
-                   nodes_are_of(shape, RSH_CONES_MADE, nodes), wrong))
+                   nodes_are_of(shape, shape.width[0], RSH_CONES_MADE, nodes), wrong))
         count = 0;
     if (get_global_id(0) == 0) *tested_count = 4 * count;
     const strided_range mine = my_elements(group_count(count));

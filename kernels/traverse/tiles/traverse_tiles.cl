@@ -4,6 +4,7 @@
  * do.
  *   bvh        in      see bvh/layout.h
  *   skip       in      a triangle per ray that it does not hit; NULL: none
+ *   list_count in      how many rays of a list there are, as for the nodes; NULL: all
  *   nodes      in      the blocks of the tiles (rays/build_boxes.cl)
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
@@ -11,6 +12,7 @@
  * Each decision below only chooses between orders of the same tests, or leaves out tests that
  * cannot succeed. A work-item needs no memory but its stack, whose size is known.
  */
+#include "rays/levels.h"
 #include "rays/nodes_head.h"
 #include "traverse/count.h"
 #include "traverse/tiles/descend_packet.h"
@@ -195,14 +197,15 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
 
 __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, mesh_view mesh,
                                  __global const float* vertices, __global const uint* indices,
-                                 ray_levels shape, __global const rsh_ray* rays,
-                                 __global const uint* skip, __global const float* nodes,
-                                 __global rsh_hit* hits, __global uint* occlusion,
-                                 uint occlusion_bit, uint is_counting, __global uint* counts,
-                                 volatile __global uint* wrong)
+                                 ray_levels shape, __global const uint* list_count,
+                                 __global const rsh_ray* rays, __global const uint* skip,
+                                 __global const float* nodes, __global rsh_hit* hits,
+                                 __global uint* occlusion, uint occlusion_bit, uint is_counting,
+                                 __global uint* counts, volatile __global uint* wrong)
 {
     const uint me = get_global_id(0);
-    if (me >= tile_count(shape)) return; /* launch is rounded up to whole groups */
+    const ray_levels levels = counted_levels(shape, list_count);
+    if (me >= tile_count(levels)) return; /* the launch is for all places */
     bvh_view scene;
     scene.layout = layout;
     scene.words = bvh;
@@ -213,9 +216,10 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
     state.rays = &left;
     state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     state.is_any = occlusion_bit != 0;
-    const bool is_right = are_right(!layout.triangles || are_made_of(bvh, layout),
-                                    nodes_are_of(shape, RSH_BOXES_MADE, nodes), wrong);
-    state.tile = tile_at(shape, is_right ? (__global const uint*)nodes : 0, me);
+    const bool is_right =
+        are_right(!layout.triangles || are_made_of(bvh, layout),
+                  nodes_are_of(shape, levels.width[0], RSH_BOXES_MADE, nodes), wrong);
+    state.tile = tile_at(levels, is_right ? order_in(nodes) : 0, me);
     const uint active = is_right ? begin_tile(&state) : begin_nothing(&state);
     if (active && layout.triangles) {
         scene.top = const_head_of(bvh)->nodes.end - 1;

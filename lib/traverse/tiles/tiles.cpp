@@ -50,9 +50,9 @@ public:
                         recorder.serial_range(node_count(shape, 2)),
                         bvh_layout_of(desc.geometry.triangle_count), bounds,
                         mesh_view_of(desc.geometry), desc.geometry.vertices,
-                        desc.geometry.indices, shape, desc.rays, desc.skip, desc.nodes,
-                        desc.hits, desc.occlusion, occlusion_mask(desc), cl_uint{is_counting},
-                        memory["counts"], recorder.wrong_buffers());
+                        desc.geometry.indices, shape, desc.list_count, desc.rays, desc.skip,
+                        desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
+                        cl_uint{is_counting}, memory["counts"], recorder.wrong_buffers());
         if (is_counting) count_tests(recorder, memory["counts"]);
     }
 };
