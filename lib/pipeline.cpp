@@ -9,6 +9,7 @@
 #include "pipeline.hpp"
 
 #include <limits>
+#include <vector>
 
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
@@ -32,7 +33,7 @@ public:
         : recorder_(recorder), desc_(desc), memory_(recorder, desc) {}
 
     void render() {
-        // For a wave, which is behind them; one that fails would hold it up for ever.
+        // For the counts, which are behind them; one that fails would hold them up for ever.
         if (memory_.has_bounces()) recorder_.wait_for_callers();
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
@@ -47,28 +48,46 @@ private:
         audit_hits(memory_.audit(screen));
         begin_image();
         shade_wave(screen);
-        if (memory_.has_bounces()) spawn_wave(screen, whole_wave(screen.width, screen.height));
+        if (memory_.has_bounces()) spawn_waves(screen, whole_wave(screen.width, screen.height));
     }
 
-    // The next wave: what these rays reflect and refract. If there is no room for all of it, that
-    // of the first half of them and what becomes of it, then that of the second half.
-    void spawn_wave(const Wave& wave, const wave_part& part) {
-        if (wave.bounce == desc_.bounces) return;
-        const WavePass pass = memory_.next(wave, part);
-        count_branches(recorder_, pass);
-        const cl_uint spawned = read_count();
-        if (spawned == 0) return;
-        if (spawned > memory_.most_rays()) {
-            const cl_uint half = part.count / 2;
-            spawn_wave(wave, {part.width, part.height, part.first, half});
-            spawn_wave(wave, {part.width, part.height, part.first + half, part.count - half});
-            return;
+    // All waves that come of a part of a wave, then their colours, back to that part. If one does not
+    // fit, those that come of the first half of the wave before it, then of the second half.
+    void spawn_waves(const Wave& from, const wave_part& part) {
+        for (cl_uint bounce = from.bounce; bounce < desc_.bounces; ++bounce) {
+            const WavePass pass = pass_of(bounce, from, part);
+            count_branches(recorder_, pass);
+            spawn_branches(recorder_, pass);
+            trace_wave(memory_.packed(bounce + 1));
         }
-        spawn_branches(recorder_, pass);
-        trace_wave({wave.bounce + 1, spawned, 1});
-        gather_branches(recorder_, pass, memory_.colour(wave.bounce + 1),
-                        memory_.colour(wave.bounce));
+        const std::vector<cl_uint> spawned = read_counts();
+        cl_uint last = from.bounce;
+        while (last < desc_.bounces && fits(spawned[last])) ++last;
+        if (last < desc_.bounces && spawned[last] > 0) {
+            if (last == from.bounce)
+                spawn_halves(from, part);
+            else
+                spawn_halves(memory_.packed(last), whole_wave(spawned[last - 1], 1));
+        }
+        while (last-- > from.bounce)
+            gather_branches(recorder_, pass_of(last, from, part), memory_.colour(last + 1),
+                            memory_.colour(last));
     }
+
+    void spawn_halves(const Wave& wave, const wave_part& part) {
+        const cl_uint half = part.count / 2;
+        spawn_waves(wave, {part.width, part.height, part.first, half});
+        spawn_waves(wave, {part.width, part.height, part.first + half, part.count - half});
+    }
+
+    // From that bounce to the next one, of the waves that come of a part of `from`.
+    WavePass pass_of(cl_uint bounce, const Wave& from, const wave_part& part) const {
+        if (bounce == from.bounce) return memory_.next(from, part, false);
+        const Wave wave = memory_.packed(bounce);
+        return memory_.next(wave, whole_wave(wave.width, wave.height), true);
+    }
+
+    bool fits(cl_uint spawned) const { return spawned > 0 && spawned <= memory_.most_rays(); }
 
     void trace_wave(const Wave& wave) {
         report_progress();
@@ -77,7 +96,6 @@ private:
         traverse(recorder_, memory_.traverse(wave));
         audit_hits(memory_.audit(wave));
         shade_wave(wave);
-        spawn_wave(wave, whole_wave(wave.width, wave.height));
     }
 
     void shade_wave(const Wave& wave) {
@@ -100,7 +118,6 @@ private:
 
     // Light by light; the first one with all that no shadow falls on.
     void shade_lights(const Wave& wave) {
-        recorder_.fill(RSH_STAGE_OTHER, memory_.occlusion(), 0, size_t{wave.rays()} * 4);
         bool is_base = true;
         for (cl_uint light = 0; light < desc_.scene->light_count; ++light) {
             if (!(desc_.scene->shadow_lights >> light & 1)) continue;
@@ -139,18 +156,24 @@ private:
         recorder_.fill(RSH_STAGE_OTHER, memory_.active_count(), 0, sizeof(cl_uint));
     }
 
-    // The one place where a frame waits for what it enqueued: for how many rays the next wave has.
+    // The one place where a frame waits for what it enqueued: for how many rays each wave sent on.
     // Bounds that were none end the frame.
-    cl_uint read_count() {
-        recorder_.copy_word(recorder_.wrong_buffers(), memory_.active_count(), 1);
-        const auto [count, wrong_buffers] = recorder_.read_now(memory_.active_count());
-        require_right_buffers(wrong_buffers);
-        return count;
+    std::vector<cl_uint> read_counts() {
+        const size_t bounces = desc_.bounces;
+        recorder_.copy_word(recorder_.wrong_buffers(), memory_.spawned_counts(), bounces);
+        std::vector<cl_uint> spawned =
+            recorder_.read_now(memory_.spawned_counts(), bounces + 1);
+        require_right_buffers(spawned.back());
+        spawned.pop_back();
+        return spawned;
     }
 
     void count_rays(const Wave& wave) {
-        recorder_.context().statistics.add(
-            [wave](rsh_statistics& sums) { sums.active_rays[wave.bounce] += wave.rays(); });
+        if (!is_counting_) return;
+        recorder_.count_later(memory_.list_count(wave), 1,
+                              [wave](rsh_statistics& sums, const cl_uint* count) {
+                                  sums.active_rays[wave.bounce] += *count;
+                              });
     }
 
     template <class Use>

@@ -630,6 +630,8 @@ typedef struct rsh_spawn_desc {
     cl_mem spawned_skip;     /* out: cl_uint per ray, the triangle that it leaves, for
                                 rsh_traverse_desc::skip; RSH_NO_HIT where nothing is spawned.
                                 NULL: origins keep that triangle off by their distance        */
+    cl_mem list_count;       /* in: as in rsh_build_desc: how many of ray_count rays there are;
+                                of the others nothing is read or written. NULL: all           */
 } rsh_spawn_desc;
 
 /* Makes one secondary ray per hit, tmin 0.
@@ -676,6 +678,7 @@ typedef struct rsh_shade_desc {
     cl_mem weights;   /* in: float4 per ray; NULL: all 1                                      */
     cl_mem occlusion; /* in: mask per ray, bit k: light k is hidden; NULL: no shadows         */
     cl_mem colour;    /* in/out: float4 per ray, linear rgb; a is left alone                  */
+    cl_mem list_count; /* in: as in rsh_spawn_desc */
 } rsh_shade_desc;
 
 /* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit,

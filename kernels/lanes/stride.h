@@ -27,4 +27,13 @@ static strided_range my_elements(uint count)
     return my_range(count);
 }
 
+/* Of `count` elements, those of this work-item, in any order, in blocks of RSH_WIDTH: all of them full
+ * but the last one, however many work-items there are. */
+static strided_range my_blocks(uint count)
+{
+    if (RSH_WIDTH == 1) return my_elements(count);
+    const strided_range mine = my_range((count + RSH_WIDTH - 1) / RSH_WIDTH);
+    return (strided_range){RSH_WIDTH * mine.begin, min(RSH_WIDTH * mine.end, count), 1};
+}
+
 #endif

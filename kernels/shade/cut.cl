@@ -1,10 +1,12 @@
 /* cut.cl - adds to the colour of each ray what those of its branches are taken to see that will not be
  * traced: reflected, then refracted. See rsh_scene, cut.
+ *   list_count           in      how many rays of ray_count there are; NULL: all
  *   rays, hits, weights  in      a wave; weights NULL: all 1
  *   colour               in/out  rgb grows
  * A branch is not traced if it weighs no more than min_weight; after the last bounce that is infinite.
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "shade/branch.h"
 #include "shade/environment.h"
 
@@ -51,15 +53,15 @@ __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
                       uint material_count, __global const rsh_texture* textures,
                       uint texture_count, __global const uint* texels, uint environment_image,
                       float4 colour_of_cut, uint is_plain, uint kinds, float min_weight,
-                      uint ray_count, __global const rsh_ray* rays,
-                      __global const rsh_hit* hits, __global const float4* weights,
-                      __global float4* colour)
+                      uint ray_count, __global const uint* list_count,
+                      __global const rsh_ray* rays, __global const rsh_hit* hits,
+                      __global const float4* weights, __global float4* colour)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
     const cut_light light = {
         {textures, texture_count, texels}, environment_image, is_plain != 0, colour_of_cut.xyz};
-    const strided_range mine = my_elements(ray_count);
+    const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];
         ray_lanes block;

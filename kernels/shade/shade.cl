@@ -1,4 +1,5 @@
 /* shade.cl - what each ray sees, added to its colour, see rsh_shade.
+ *   list_count           in      how many rays of ray_count there are; NULL: all
  *   rays, hits, weights  in      weights NULL: all 1
  *   occlusion            in      bit k: light k is hidden; NULL: nothing is hidden
  *   shadow_lights        in      bit k: light k is added after what nothing hides, as by
@@ -7,6 +8,7 @@
  * Mirrored and refracted light is added by shading the rays that shade/spawn.cl makes.
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "shade/seen.h"
 
 static uintv hidden_lights(__global const uint* occlusion, const uint* index, uint bits)
@@ -35,10 +37,10 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                         __global const rsh_light* lights, uint light_count,
                         __global const rsh_texture* textures, uint texture_count,
                         __global const uint* texels, float4 ambient, float4 environment,
-                        uint environment_image, uint ray_count, __global const rsh_ray* rays,
-                        __global const rsh_hit* hits, __global const float4* weights,
-                        __global const uint* occlusion, uint shadow_lights, uint is_first,
-                        __global float4* colour)
+                        uint environment_image, uint ray_count, __global const uint* list_count,
+                        __global const rsh_ray* rays, __global const rsh_hit* hits,
+                        __global const float4* weights, __global const uint* occlusion,
+                        uint shadow_lights, uint is_first, __global float4* colour)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
@@ -50,7 +52,7 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                                ambient.xyz,
                                environment.xyz,
                                environment_image};
-    const strided_range mine = my_elements(ray_count);
+    const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];
         seen_block block;

@@ -1,13 +1,16 @@
 /* shade_lit.cl - what each ray sees of one light, and the ray that shows whether it is hidden: both
  * from a surface that is found once. What rsh_spawn and rsh_shade do is done in another order, with
  * the same bits.
+ *   list_count           in      how many rays of ray_count there are; NULL: all
  *   rays, hits, weights  in      weights NULL: all 1
- *   is_base              in      colour grows by what no shadow falls on, as in shade/shade.cl
+ *   is_base              in      colour grows by what no shadow falls on, as in shade/shade.cl, and
+ *                                occlusion goes out: 0
  *   colour               in/out  rgb grows, a stays; is_first: rgb only goes out
  *   spawned_rays, spawned_skip, active_count  as in shade/spawn_shadow.cl
  *   light_colour         out     what rsh_add_light will add to colour
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "shade/seen.h"
 #include "shade/shadow_ray.h"
 
@@ -19,9 +22,10 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
                             __global const rsh_texture* textures, uint texture_count,
                             __global const uint* texels, float4 ambient, float4 environment,
                             uint environment_image, uint ray_count,
-                            __global const rsh_ray* rays, __global const rsh_hit* hits,
-                            __global const float4* weights, uint shadow_lights, uint light,
-                            uint is_base, uint is_first, __global float4* colour,
+                            __global const uint* list_count, __global const rsh_ray* rays,
+                            __global const rsh_hit* hits, __global const float4* weights,
+                            uint shadow_lights, uint light, uint is_base,
+                            __global uint* occlusion, uint is_first, __global float4* colour,
                             __global rsh_ray* spawned_rays, __global uint* spawned_skip,
                             __global float4* light_colour, __global uint* active_count)
 {
@@ -36,7 +40,7 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
                                environment.xyz,
                                environment_image};
     const rsh_light source = lights[light];
-    const strided_range mine = my_elements(ray_count);
+    const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     uint active = 0;
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];
@@ -52,6 +56,8 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
             sent = send_to_light(source, &seen.arrival, &block.surface, &block.rays,
                                  seen.bits & RSH_LANE_BITS(block.lit.sends_back), true);
         if (is_base) {
+            for (uint k = 0; k < RSH_WIDTH; ++k)
+                if (index[k] != RSH_NO_RAY) occlusion[index[k]] = 0;
             const float3v base = see_all_but(&block, &look, shadow_lights, (uintv)(0u));
             colour_lanes sums = load_sums(index, is_first, colour);
             add_seen(product_v(weight, base), block.active, &sums);
@@ -65,10 +71,11 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
 }
 
 /* Where the light is not hidden, light_colour is added to colour. */
-__kernel void rsh_add_light(uint ray_count, uint light, __global const uint* occlusion,
-                            __global const float4* light_colour, __global float4* colour)
+__kernel void rsh_add_light(uint ray_count, __global const uint* list_count, uint light,
+                            __global const uint* occlusion, __global const float4* light_colour,
+                            __global float4* colour)
 {
-    const strided_range mine = my_elements(ray_count);
+    const strided_range mine = my_elements(counted_rays(ray_count, list_count));
     for (uint i = mine.begin; i < mine.end; i += mine.step)
         if (!(occlusion[i] >> light & 1)) colour[i].xyz += light_colour[i].xyz;
 }

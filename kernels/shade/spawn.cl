@@ -7,22 +7,23 @@
  * Shadow rays are shade/spawn_shadow.cl's job, rays of both kinds, packed, that of shade/wave.cl.
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "shade/branch.h"
 
 __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const uint* material_ids,
                         __global const rsh_material* materials, uint material_count,
-                        uint ray_count, uint is_refracted, float min_weight,
-                        __global const rsh_ray* rays, __global const rsh_hit* hits,
-                        __global const float4* weights, __global rsh_ray* spawned_rays,
-                        __global float4* spawned_weights, __global uint* spawned_skip,
-                        __global uint* active_count)
+                        uint ray_count, __global const uint* list_count, uint is_refracted,
+                        float min_weight, __global const rsh_ray* rays,
+                        __global const rsh_hit* hits, __global const float4* weights,
+                        __global rsh_ray* spawned_rays, __global float4* spawned_weights,
+                        __global uint* spawned_skip, __global uint* active_count)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
     const uint kind = is_refracted ? RSH_REFRACTED : RSH_REFLECTED;
-    const strided_range mine = my_elements(ray_count);
+    const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     uint active = 0;
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];

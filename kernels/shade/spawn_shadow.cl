@@ -5,6 +5,7 @@
  *   active_count  in/out  grows by the active rays; may be NULL
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "shade/material.h"
 #include "shade/shadow_ray.h"
 
@@ -25,14 +26,14 @@ __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
                                __global const uint* material_ids,
                                __global const rsh_material* materials, uint material_count,
                                __global const rsh_light* lights, uint light, uint ray_count,
-                               __global const rsh_ray* rays, __global const rsh_hit* hits,
-                               __global rsh_ray* spawned_rays, __global uint* spawned_skip,
-                               __global uint* active_count)
+                               __global const uint* list_count, __global const rsh_ray* rays,
+                               __global const rsh_hit* hits, __global rsh_ray* spawned_rays,
+                               __global uint* spawned_skip, __global uint* active_count)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
     const rsh_light source = lights[light];
-    const strided_range mine = my_elements(ray_count);
+    const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     uint active = 0;
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];

@@ -4,11 +4,13 @@
  *   rays, hits, weights  in   a wave; weights NULL: all 1
  *   branches             out  of each ray, where those that it sends on stand in the next wave:
  *                             reflected, refracted; RSH_NO_RAY: none
+ *   list_count           in   how many of the part's rays there are; NULL: all
  *   counts               of each work-item, the rays of either kind; then (reduce/scan_counts.cl)
  *                        where they begin
  * A work-item has a range of places, see rays_at_places.
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "shade/branch.h"
 #include "shade/screen_order.h"
 
@@ -62,15 +64,15 @@ __kernel void rsh_wave_count(mesh_view mesh, __global const float* vertices,
                              __global const uint* indices, __global const float* normals,
                              __global const uint* material_ids,
                              __global const rsh_material* materials, uint material_count,
-                             wave_part part, uint kinds, float min_weight,
-                             __global const rsh_ray* rays, __global const rsh_hit* hits,
-                             __global const float4* weights, __global uint2* branches,
-                             __global uint* counts)
+                             wave_part part, __global const uint* list_count, uint kinds,
+                             float min_weight, __global const rsh_ray* rays,
+                             __global const rsh_hit* hits, __global const float4* weights,
+                             __global uint2* branches, __global uint* counts)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
     const uint me = get_global_id(0), items = get_global_size(0);
-    const strided_range mine = my_range(part.count);
+    const strided_range mine = my_range(counted_rays(part.count, list_count));
     uint sum[RSH_BRANCHES] = {0, 0}, place = mine.begin;
     waiting_rays waiting;
     waiting.count = 0;
@@ -109,6 +111,7 @@ static void place_branches(const branch_lanes* at, const uint* index, uint2 begi
     }
 }
 
+/* Those among RSH_WIDTH rays that send others on wait. */
 static void note_senders(__global const uint2* branches, const uint* index,
                          waiting_rays* waiting)
 {
@@ -120,21 +123,30 @@ static void note_senders(__global const uint2* branches, const uint* index,
     }
 }
 
+/* capacity: room in the next wave. If it has more rays, spawned_counts[bounce] of them, none is
+ * written.
+ *   next_count  out  how many are
+ */
 __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
                              __global const uint* indices, __global const float* normals,
                              __global const uint* material_ids,
                              __global const rsh_material* materials, uint material_count,
-                             wave_part part, uint kinds, float min_weight,
-                             __global const rsh_ray* rays, __global const rsh_hit* hits,
-                             __global const float4* weights, __global uint2* branches,
-                             __global const uint* counts, __global rsh_ray* spawned_rays,
+                             wave_part part, __global const uint* list_count, uint kinds,
+                             float min_weight, __global const rsh_ray* rays,
+                             __global const rsh_hit* hits, __global const float4* weights,
+                             __global uint2* branches, __global const uint* counts,
+                             uint capacity, __global const uint* spawned_counts, uint bounce,
+                             __global uint* next_count, __global rsh_ray* spawned_rays,
                              __global float4* spawned_weights, __global uint* spawned_skip)
 {
+    const uint total = spawned_counts[bounce];
+    if (get_global_id(0) == 0) *next_count = total > capacity ? 0 : total;
+    if (total > capacity) return;
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
     const uint me = get_global_id(0), items = get_global_size(0);
     const uint2 begin = (uint2)(counts[me], counts[items + me]);
-    const strided_range mine = my_range(part.count);
+    const strided_range mine = my_range(counted_rays(part.count, list_count));
     uint place = mine.begin;
     waiting_rays waiting;
     waiting.count = 0;
@@ -167,10 +179,11 @@ __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
  * that the sum does not depend on how a wave is split up.
  *   next  in      colours of the next wave
  */
-__kernel void rsh_wave_gather(wave_part part, __global const uint2* branches,
-                              __global const float4* next, __global float4* colour)
+__kernel void rsh_wave_gather(wave_part part, __global const uint* list_count,
+                              __global const uint2* branches, __global const float4* next,
+                              __global float4* colour)
 {
-    const strided_range mine = my_range(part.count);
+    const strided_range mine = my_range(counted_rays(part.count, list_count));
     for (uint place = mine.begin; place < mine.end; place += RSH_WIDTH) {
         uint index[RSH_WIDTH];
         rays_at_places(part, part.first + place, part.first + mine.end, index);

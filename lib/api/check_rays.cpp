@@ -127,6 +127,7 @@ void check_buffers(const Context& context, const rsh_spawn_desc& desc) {
     Buffers buffers(context);
     check_buffers(buffers, *desc.scene);
     check_hit_rays(buffers, desc.ray_count, desc.rays, desc.hits);
+    buffers.optional_in("list_count", desc.list_count, 4);
     const cl_ulong rays = desc.ray_count;
     buffers.out("spawned_rays", desc.spawned_rays, rays * sizeof(rsh_ray));
     buffers.optional_out("active_count", desc.active_count, 4);
@@ -145,6 +146,7 @@ void check_buffers(const Context& context, const rsh_shade_desc& desc) {
     Buffers buffers(context);
     check_buffers(buffers, *desc.scene);
     check_hit_rays(buffers, desc.ray_count, desc.rays, desc.hits);
+    buffers.optional_in("list_count", desc.list_count, 4);
     const cl_ulong rays = desc.ray_count;
     buffers.optional_in("weights", desc.weights, rays * 16);
     buffers.optional_in("occlusion", desc.occlusion, rays * 4);

@@ -94,11 +94,13 @@ void add_waves(Layout& layout, const Context& context, const rsh_frame_desc& des
         if (bounce < desc.bounces)
             layout.add_array<cl_uint>(numbered("branches", bounce), RSH_BRANCHES * pixels);
         if (bounce == 0) continue;
+        layout.add_array<cl_uint>(numbered("list count", bounce), 1);
         layout.add_array<rsh_ray>(numbered("rays", bounce), pixels);
         layout.add_array<rsh_hit>(numbered("hits", bounce), pixels);
         layout.add_array<rsh_float4>(numbered("weights", bounce), pixels);
         layout.add_array<rsh_float4>(numbered("colour", bounce), pixels);
     }
+    layout.add_array<cl_uint>("spawned counts", desc.bounces + 1);
     layout.add_array<cl_uint>("branch counts",
                               wave_count_words(context, desc.width, desc.height));
 }
@@ -121,7 +123,7 @@ Layout strip_scratch(const Context& context, const rsh_frame_desc& whole, cl_uin
     layout.add_array<rsh_ray>("rays 0", pixels);
     layout.add_array<rsh_hit>("hits 0", pixels);
     if (needs_bounces(desc)) add_waves(layout, context, desc);
-    layout.add_array<cl_uint>("active count", 2);
+    layout.add_array<cl_uint>("active count", 1);
     layout.add("rasterize", rasterize_scratch(context, rasterize_of(desc)).bytes());
     if (needs_shadows(desc)) {
         layout.add_array<rsh_ray>("shadow rays", pixels);
@@ -151,6 +153,11 @@ bool FrameMemory::take_strip(cl_uint first_row) {
 
 cl_mem FrameMemory::at(const char* name, cl_uint bounce) const {
     return scratch_[numbered(name, bounce)];
+}
+
+// Those of the camera are counted by the host.
+cl_mem FrameMemory::list_count(const Wave& wave) const {
+    return wave.bounce > 0 ? at("list count", wave.bounce) : nullptr;
 }
 
 // The camera's rays weigh 1.
@@ -192,15 +199,16 @@ rsh_bound_desc FrameMemory::bound() const {
 }
 
 rsh_build_desc FrameMemory::build(const Wave& wave) const {
-    return {sizeof(rsh_build_desc),
-            at("rays", wave.bounce),
-            wave.width,
-            wave.height,
-            scratch_["nodes"],
-            0,
-            desc_.shape,
-            scratch_["build scratch"],
-            nullptr};
+    rsh_build_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.rays = at("rays", wave.bounce);
+    pass.width = wave.width;
+    pass.height = wave.height;
+    pass.nodes = scratch_["nodes"];
+    pass.shape = desc_.shape;
+    pass.scratch = scratch_["build scratch"];
+    pass.list_count = list_count(wave);
+    return pass;
 }
 
 rsh_traverse_desc FrameMemory::traverse(const Wave& wave) const {
@@ -211,6 +219,7 @@ rsh_traverse_desc FrameMemory::traverse(const Wave& wave) const {
     pass.hits = at("hits", wave.bounce);
     pass.scratch = scratch_["traverse"];
     pass.skip = skip();
+    pass.list_count = list_count(wave);
     return pass;
 }
 
@@ -238,22 +247,28 @@ rsh_shade_desc FrameMemory::shade(const Wave& wave) const {
     pass.weights = weights(wave);
     pass.occlusion = occlusion();
     pass.colour = colour(wave.bounce);
+    pass.list_count = list_count(wave);
     return pass;
 }
 
-WavePass FrameMemory::next(const Wave& wave, const wave_part& part) const {
+WavePass FrameMemory::next(const Wave& wave, const wave_part& part, bool is_counted) const {
     WavePass pass = {};
     pass.scene = desc_.scene;
     pass.part = part;
+    pass.list_count = is_counted ? list_count(wave) : nullptr;
     pass.min_weight = desc_.min_weight;
     pass.rays = at("rays", wave.bounce);
     pass.hits = at("hits", wave.bounce);
     pass.weights = weights(wave);
     pass.branches = at("branches", wave.bounce);
     pass.counts = scratch_["branch counts"];
-    pass.spawned_count = active_count();
-    pass.spawned_rays = at("rays", wave.bounce + 1);
-    pass.spawned_weights = at("weights", wave.bounce + 1);
+    pass.bounce = wave.bounce;
+    pass.spawned_counts = spawned_counts();
+    pass.capacity = most_rays();
+    const Wave next = packed(wave.bounce + 1);
+    pass.next_count = list_count(next);
+    pass.spawned_rays = at("rays", next.bounce);
+    pass.spawned_weights = weights(next);
     pass.spawned_skip = skip();
     return pass;
 }
@@ -268,6 +283,7 @@ rsh_spawn_desc FrameMemory::spawn_shadow(const Wave& wave, cl_uint light) const 
     pass.rays = at("rays", wave.bounce);
     pass.hits = at("hits", wave.bounce);
     pass.active_count = active_count();
+    pass.list_count = list_count(wave);
     pass.spawned_rays = scratch_["shadow rays"];
     pass.spawned_skip = skip();
     return pass;

@@ -34,6 +34,8 @@ public:
     Wave screen() const { return {0, desc_.width, desc_.height}; }
     // Rays that a wave after the first one may hold.
     cl_uint most_rays() const { return desc_.width * rows_; }
+    // Such a wave. How many rays it has, only list_count says.
+    Wave packed(cl_uint bounce) const { return {bounce, most_rays(), 1}; }
     bool traces_rays() const;
     bool casts_shadows() const;
     bool has_bounces() const;
@@ -45,8 +47,9 @@ public:
     rsh_traverse_desc traverse(const Wave& wave) const;
     rsh_audit_desc audit(const Wave& wave) const;
     rsh_shade_desc shade(const Wave& wave) const;
-    // From a part of a wave to the next one.
-    WavePass next(const Wave& wave, const wave_part& part) const;
+    // From a part of a wave to the next one. is_counted: of that part only as many rays as the
+    // wave has.
+    WavePass next(const Wave& wave, const wave_part& part, bool is_counted) const;
     // One light at the hits of a wave, and the rays to it.
     LightPass light(const Wave& wave, cl_uint light, bool is_base) const;
     rsh_build_desc build_shadow(const Wave& wave, cl_uint light) const;
@@ -60,6 +63,10 @@ public:
     cl_mem occlusion() const { return scratch_.find("occlusion"); }
     cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
     cl_mem active_count() const { return scratch_["active count"]; }
+    // One word; NULL: of the first wave.
+    cl_mem list_count(const Wave& wave) const;
+    // A word per bounce, as in WavePass, and one more.
+    cl_mem spawned_counts() const { return scratch_["spawned counts"]; }
     cl_mem skip() const { return scratch_.find("skip"); }
 
 private:

@@ -17,14 +17,15 @@ cl_uint shadow_lights(const rsh_scene& scene) {
 
 void shade(Recorder& recorder, const rsh_shade_desc& desc, bool is_first) {
     const rsh_scene& scene = *desc.scene;
-    recorder.launch(
-        RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
-        recorder.range(items_for(recorder, desc.ray_count)), mesh_view_of(scene.geometry),
-        scene.geometry.vertices, scene.geometry.indices, scene.normals, scene.texcoords,
-        scene.material_ids, scene.materials, scene.material_count, scene.lights,
-        scene.light_count, scene.textures, scene.texture_count, scene.texels, scene.ambient,
-        scene.environment, scene.environment_texture - 1u, desc.ray_count, desc.rays, desc.hits,
-        desc.weights, desc.occlusion, shadow_lights(scene), cl_uint{is_first}, desc.colour);
+    recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
+                    recorder.range(items_for(recorder, desc.ray_count)),
+                    mesh_view_of(scene.geometry), scene.geometry.vertices,
+                    scene.geometry.indices, scene.normals, scene.texcoords, scene.material_ids,
+                    scene.materials, scene.material_count, scene.lights, scene.light_count,
+                    scene.textures, scene.texture_count, scene.texels, scene.ambient,
+                    scene.environment, scene.environment_texture - 1u, desc.ray_count,
+                    desc.list_count, desc.rays, desc.hits, desc.weights, desc.occlusion,
+                    shadow_lights(scene), cl_uint{is_first}, desc.colour);
 }
 
 }  // namespace
@@ -47,17 +48,18 @@ void shade_lit(Recorder& recorder, const LightPass& pass) {
         scene.geometry.vertices, scene.geometry.indices, scene.normals, scene.texcoords,
         scene.material_ids, scene.materials, scene.material_count, scene.lights,
         scene.light_count, scene.textures, scene.texture_count, scene.texels, scene.ambient,
-        scene.environment, scene.environment_texture - 1u, desc.ray_count, desc.rays, desc.hits,
-        desc.weights, shadow_lights(scene), shadow.light, cl_uint{pass.is_base},
-        cl_uint{pass.is_first}, desc.colour, shadow.spawned_rays, shadow.spawned_skip,
-        pass.light_colour, shadow.active_count);
+        scene.environment, scene.environment_texture - 1u, desc.ray_count, desc.list_count,
+        desc.rays, desc.hits, desc.weights, shadow_lights(scene), shadow.light,
+        cl_uint{pass.is_base}, desc.occlusion, cl_uint{pass.is_first}, desc.colour,
+        shadow.spawned_rays, shadow.spawned_skip, pass.light_colour, shadow.active_count);
 }
 
 void add_light(Recorder& recorder, const LightPass& pass) {
     const rsh_shade_desc& desc = pass.shade;
     recorder.launch(RSH_STAGE_SHADE, surface_kernel(*desc.scene, "rsh_add_light"),
                     recorder.range(items_for(recorder, desc.ray_count)), desc.ray_count,
-                    pass.shadow.light, desc.occlusion, pass.light_colour, desc.colour);
+                    desc.list_count, pass.shadow.light, desc.occlusion, pass.light_colour,
+                    desc.colour);
 }
 
 }  // namespace rsh

@@ -15,8 +15,9 @@ void spawn_shadow(Recorder& recorder, const rsh_spawn_desc& desc, const Range& r
     recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, "rsh_spawn_shadow"), range,
                     mesh_view_of(scene.geometry), scene.geometry.vertices,
                     scene.geometry.indices, scene.normals, scene.material_ids, scene.materials,
-                    scene.material_count, scene.lights, desc.light, desc.ray_count, desc.rays,
-                    desc.hits, desc.spawned_rays, desc.spawned_skip, desc.active_count);
+                    scene.material_count, scene.lights, desc.light, desc.ray_count,
+                    desc.list_count, desc.rays, desc.hits, desc.spawned_rays, desc.spawned_skip,
+                    desc.active_count);
 }
 
 }  // namespace
@@ -30,9 +31,9 @@ void spawn(Recorder& recorder, const rsh_spawn_desc& desc) {
     recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, "rsh_spawn"), range,
                     mesh_view_of(scene.geometry), scene.geometry.vertices,
                     scene.geometry.indices, scene.normals, scene.material_ids, scene.materials,
-                    scene.material_count, desc.ray_count, is_refracted, desc.min_weight,
-                    desc.rays, desc.hits, desc.weights, desc.spawned_rays, desc.spawned_weights,
-                    desc.spawned_skip, desc.active_count);
+                    scene.material_count, desc.ray_count, desc.list_count, is_refracted,
+                    desc.min_weight, desc.rays, desc.hits, desc.weights, desc.spawned_rays,
+                    desc.spawned_weights, desc.spawned_skip, desc.active_count);
 }
 
 }  // namespace rsh

@@ -26,8 +26,8 @@ void launch_pass(Recorder& recorder, const WavePass& pass, const char* kernel,
                     items_of(recorder.context(), pass.part.count), mesh_view_of(scene.geometry),
                     scene.geometry.vertices, scene.geometry.indices, scene.normals,
                     scene.material_ids, scene.materials, scene.material_count, pass.part,
-                    branch_kinds(scene), pass.min_weight, pass.rays, pass.hits, pass.weights,
-                    pass.branches, pass.counts, more...);
+                    pass.list_count, branch_kinds(scene), pass.min_weight, pass.rays, pass.hits,
+                    pass.weights, pass.branches, pass.counts, more...);
 }
 
 }  // namespace
@@ -58,18 +58,19 @@ void count_branches(Recorder& recorder, const WavePass& pass) {
     const size_t items = items_of(context, pass.part.count).items;
     recorder.launch(RSH_STAGE_REDUCE, surface_kernel(*pass.scene, "rsh_reduce_scan_counts"),
                     groups(context, 1), pass.counts, static_cast<cl_uint>(RSH_BRANCHES * items),
-                    pass.spawned_count, cl_uint{0}, group_words(context));
+                    pass.spawned_counts, pass.bounce, group_words(context));
 }
 
 void spawn_branches(Recorder& recorder, const WavePass& pass) {
-    launch_pass(recorder, pass, "rsh_wave_spawn", pass.spawned_rays, pass.spawned_weights,
+    launch_pass(recorder, pass, "rsh_wave_spawn", pass.capacity, pass.spawned_counts,
+                pass.bounce, pass.next_count, pass.spawned_rays, pass.spawned_weights,
                 pass.spawned_skip);
 }
 
 void gather_branches(Recorder& recorder, const WavePass& pass, cl_mem next, cl_mem colour) {
     recorder.launch(RSH_STAGE_SHADE, surface_kernel(*pass.scene, "rsh_wave_gather"),
-                    items_of(recorder.context(), pass.part.count), pass.part, pass.branches,
-                    next, colour);
+                    items_of(recorder.context(), pass.part.count), pass.part, pass.list_count,
+                    pass.branches, next, colour);
 }
 
 }  // namespace rsh

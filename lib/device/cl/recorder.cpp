@@ -122,13 +122,13 @@ void Recorder::wait_for_callers() {
     wait_for_all(static_cast<cl_uint>(callers_.size()), list_of(callers_));
 }
 
-std::array<cl_uint, 2> Recorder::read_now(cl_mem buffer) {
-    HostRead read(queue_, buffer, 2, prepare());
+std::vector<cl_uint> Recorder::read_now(cl_mem buffer, size_t word_count) {
+    HostRead read(queue_, buffer, word_count, prepare());
     record(RSH_STAGE_OTHER, read.share_event());
     require_success(clFlush(queue_), "clFlush");
     context_.statistics.add([](rsh_statistics& sums) { ++sums.host_waits; });
     const cl_uint* const words = read.wait();
-    return {words[0], words[1]};
+    return {words, words + word_count};
 }
 
 cl_mem Recorder::borrow_scratch(size_t bytes) {

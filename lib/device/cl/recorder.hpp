@@ -4,7 +4,6 @@
 
 #include <rsh/rsh.h>
 
-#include <array>
 #include <vector>
 
 #include "device/cl/context.hpp"
@@ -65,8 +64,8 @@ public:
     // BLOCKS until the caller's events ended, and throws when one failed. For a call that will
     // block, before it enqueues anything.
     void wait_for_callers();
-    // BLOCKS for two words from the front of `buffer`; rsh_frame only.
-    std::array<cl_uint, 2> read_now(cl_mem buffer);
+    // BLOCKS for words from the front of `buffer`; rsh_frame only.
+    std::vector<cl_uint> read_now(cl_mem buffer, size_t word_count);
 
     // The word that takes what traversals meet that was not made for them: the context's, or
     // one of the call's own, which is 0 from then on.
