@@ -594,6 +594,7 @@ typedef struct rsh_audit_desc {
     cl_uint seed;          /* which ones: the same seed, the same rays                        */
     cl_mem report;         /* out: one rsh_audit_report                                       */
     cl_mem skip;           /* in: as in the traversal                                         */
+    cl_mem list_count;     /* in: as in the traversal: how many of ray_count rays there are   */
 } rsh_audit_desc;
 
 /* Traces rays again by brute force and counts those whose answers differ in any bit, by kind.

@@ -2,5 +2,6 @@
  * for why. */
 #include "rays/join_boxes.cl"
 #include "reduce/scan_counts.cl"
+#include "traverse/clear_hits.cl"
 #include "traverse/paper/intersect_ranges.cl"
 #include "traverse/paper/traverse_ranges.cl"

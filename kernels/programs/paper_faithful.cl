@@ -7,6 +7,7 @@
 #include "rays/build_cones.cl"
 #include "reduce/chunk.cl"
 #include "reduce/lookback.cl"
+#include "traverse/clear_hits.cl"
 #include "traverse/paper_faithful/intersect.cl"
 #include "traverse/paper_faithful/resolve.cl"
 #include "traverse/paper_faithful/traverse_level.cl"

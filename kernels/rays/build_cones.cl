@@ -1,11 +1,13 @@
-/* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, one work-item
- * per quad.
- *   rays   in   level 0
- *   nodes  out  a head, then quads: nodes of all levels below the root; see cone_node4
+/* build_cones.cl - the hierarchy over the rays, bottom-up: one launch per level, whose work-items
+ * share the quads.
+ *   rays        in   level 0
+ *   list_count  in   how many rays of a list there are; NULL: all
+ *   nodes       out  a head, then quads: nodes of all levels below the root; see cone_node4
  * "Choose loosely, measure exactly": axis and apex of a node are any good guess; radius and
  * sine are then measured from the guess as stored, rounded outwards, so that a node always
  * contains its rays. Does not test anything against the scene.
  */
+#include "lanes/stride.h"
 #include "mesh/algebra.h"
 #include "rays/levels.h"
 #include "rays/nodes_head.h"
@@ -161,33 +163,42 @@ static __global cone_node4* quads_in(__global uint* nodes)
     return (__global cone_node4*)(nodes + RSH_NODES_HEAD_WORDS);
 }
 
-__kernel void rsh_build_cones_rays(ray_levels levels, __global const rsh_ray* rays,
-                                   uint is_converging, __global uint* nodes)
+__kernel void rsh_build_cones_rays(ray_levels shape, __global const uint* list_count,
+                                   __global const rsh_ray* rays, uint is_converging,
+                                   __global uint* nodes)
 {
-    const uint i = get_global_id(0);
-    if (i == 0) write_nodes_head(levels, levels.width[0], RSH_CONES_MADE, 0, nodes);
-    if (i >= levels.width[1] * levels.height[1]) return;
-    cone_node4 quad;
-    for (uint k = 0; k < 4; ++k)
-        set_quad_member(&quad, k, leaf(&levels, rays, is_converging, i, k));
-    quads_in(nodes)[levels.first_child_group[0] + i] = quad;
+    const ray_levels levels = counted_levels(shape, list_count);
+    if (get_global_id(0) == 0)
+        write_nodes_head(shape, levels.width[0], RSH_CONES_MADE, 0, nodes);
+    const strided_range mine = my_elements(levels.width[1] * levels.height[1]);
+    for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        cone_node4 quad;
+        for (uint k = 0; k < 4; ++k)
+            set_quad_member(&quad, k, leaf(&levels, rays, is_converging, i, k));
+        quads_in(nodes)[levels.first_child_group[0] + i] = quad;
+    }
 }
 
-__kernel void rsh_build_cones_level(ray_levels shape, uint level, __global uint* nodes)
+/* Child of a node of level + 1. */
+static cone_node inner_node(const ray_levels* levels, uint level, uint parent, uint k,
+                            __global const cone_node4* quads)
+{
+    const uint child = child_of(levels, level, parent, k);
+    if (child == RSH_NO_NODE) return RSH_NO_CONE;
+    const cone_node4 children = quads[levels->first_child_group[level - 1] + child];
+    return merge(&children);
+}
+
+__kernel void rsh_build_cones_level(ray_levels shape, __global const uint* list_count,
+                                    uint level, __global uint* nodes)
 {
     __global cone_node4* quads = quads_in(nodes);
-    const ray_levels levels = shape;
-    const uint i = get_global_id(0);
-    if (i >= levels.width[level + 1] * levels.height[level + 1]) return;
-    cone_node4 quad;
-    for (uint k = 0; k < 4; ++k) {
-        cone_node node = RSH_NO_CONE;
-        const uint child = child_of(&levels, level, i, k);
-        if (child != RSH_NO_NODE) {
-            const cone_node4 children = quads[levels.first_child_group[level - 1] + child];
-            node = merge(&children);
-        }
-        set_quad_member(&quad, k, node);
+    const ray_levels levels = counted_levels(shape, list_count);
+    const strided_range mine = my_elements(levels.width[level + 1] * levels.height[level + 1]);
+    for (uint i = mine.begin; i < mine.end; i += mine.step) {
+        cone_node4 quad;
+        for (uint k = 0; k < 4; ++k)
+            set_quad_member(&quad, k, inner_node(&levels, level, i, k, quads));
+        quads[levels.first_child_group[level] + i] = quad;
     }
-    quads[levels.first_child_group[level] + i] = quad;
 }

@@ -2,6 +2,7 @@
  * as tight as if it were fitted to the rays.
  *   in   in   from word first_word on, nodes of `level`: a box_node16 holds the children of one
  *   out  out  nodes of level + 1: a box_node16 holds 16 nodes of `level`
+ *   list_count  in  how many rays of a list there are; NULL: all
  * A work-item makes a box_node16.
  */
 #include "rays/box_node.h"
@@ -29,11 +30,11 @@ static void clear_row(float* row)
     row[13] = 0.0f;
 }
 
-__kernel void rsh_join_boxes(ray_levels shape, uint level, __global const float* in,
-                             uint first_word, uint first_in, __global float* out,
-                             uint first_out)
+__kernel void rsh_join_boxes(ray_levels shape, __global const uint* list_count, uint level,
+                             __global const float* in, uint first_word, uint first_in,
+                             __global float* out, uint first_out)
 {
-    const ray_levels levels = shape;
+    const ray_levels levels = counted_levels(shape, list_count);
     const uint me = get_global_id(0);
     if (me >= levels.width[level + 1] * levels.height[level + 1]) return;
     __global float* node16 = out + 224ul * (first_out + me);

@@ -27,10 +27,11 @@ static ray_levels counted_levels(ray_levels levels, __global const uint* list_co
     if (!list_count) return levels;
     const uint bits = branching_bits(&levels);
     levels.width[0] = counted_rays(levels.width[0], list_count);
-    for (uint l = 0; l < RSH_MAX_LEVELS; ++l)
-        levels.width[l + 1] = (levels.width[l] + (1u << 2 * bits) - 1) >> 2 * bits;
-    /* Boxes have two levels at least, cones one. */
-    while (levels.count > bits && levels.width[levels.count - 1] <= 1) --levels.count;
+    for (uint l = 1; l <= RSH_MAX_LEVELS; ++l) {
+        levels.width[l] = (levels.width[l - 1] + (1u << 2 * bits) - 1) >> 2 * bits;
+        /* Boxes have two levels at least, cones one. */
+        if (l >= bits && levels.width[l] <= 1) levels.count = min(levels.count, l);
+    }
     return levels;
 }
 

@@ -1,9 +1,11 @@
 /* audit.cl - traces a sample of rays again by brute force and counts the answers that differ.
  *   rays, skip, hits, occlusion  in
+ *   list_count             in      how many rays of ray_count there are; NULL: all
  *   report                 in/out  an rsh_audit_report, adds up
  * A work-item gathers rays, one from each of its ranges, and traces RSH_RAYS_PER_ITEM at once.
  */
 #include "lanes/stride.h"
+#include "rays/levels.h"
 #include "traverse/brute_force.h"
 #include "traverse/count.h"
 
@@ -86,16 +88,18 @@ static void audit_rays(const triangles_left* left, const uint* index, uint count
 
 __kernel void rsh_audit(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const rsh_ray* rays,
-                        __global const uint* skip, uint ray_count, __global const rsh_hit* hits,
+                        __global const uint* skip, uint ray_count,
+                        __global const uint* list_count, __global const rsh_hit* hits,
                         __global const uint* occlusion, uint occlusion_bit, uint sample,
                         uint seed, __global uint* report)
 {
     const triangles_left left = {mesh, vertices, indices, rays, skip};
-    const strided_range mine = my_elements(sample);
+    const uint all = counted_rays(ray_count, list_count), ranges = min(sample, all);
+    const strided_range mine = my_elements(ranges);
     uint index[RSH_RAYS_PER_ITEM], count = 0;
     for (uint range = mine.begin; range < mine.end || count > 0; range += mine.step) {
         const uint ray =
-            range < mine.end ? pick_ray(rays, ray_count, range, sample, seed) : RSH_NO_RAY;
+            range < mine.end ? pick_ray(rays, all, range, ranges, seed) : RSH_NO_RAY;
         if (ray != RSH_NO_RAY) index[count++] = ray;
         if (range < mine.end && count < RSH_RAYS_PER_ITEM) continue;
         for (uint i = count; i < RSH_RAYS_PER_ITEM; ++i) index[i] = RSH_NO_RAY;

@@ -22,9 +22,8 @@ void check_ray_grid(cl_uint width, cl_uint height) {
 // A list may be shorter than the host knows.
 template <class Desc>
 void check_list_count(const Desc& desc) {
-    if (!desc.list_count) return;
-    require(desc.height <= 1, "height", desc.height, "0 or 1 with a list_count");
-    require(desc.shape == RSH_SHAPE_BOX, "list_count: shape", desc.shape, "RSH_SHAPE_BOX");
+    require(!desc.list_count || desc.height <= 1, "height", desc.height,
+            "0 or 1 with a list_count");
 }
 
 void check_ray_count(cl_uint ray_count) {
@@ -104,6 +103,7 @@ void check_buffers(const Context& context, const rsh_audit_desc& desc) {
     check_buffers(buffers, desc.geometry);
     const cl_ulong rays = desc.ray_count;
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
+    buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
     if (desc.query == RSH_QUERY_ANY)
         buffers.in("occlusion", desc.occlusion, rays * 4);

@@ -234,6 +234,7 @@ rsh_audit_desc FrameMemory::audit(const Wave& wave) const {
     pass.seed = desc_.audit_seed;
     pass.report = desc_.audit;
     pass.skip = wave.bounce > 0 ? skip() : nullptr;
+    pass.list_count = list_count(wave);
     return pass;
 }
 

@@ -31,12 +31,13 @@ public:
             return size_t{shape.width[level + 1]} * shape.height[level + 1];
         };
         recorder.launch(RSH_STAGE_BUILD, {"programs/paper_faithful", "rsh_build_cones_rays"},
-                        recorder.range(parents(0)), shape, desc.rays, desc.converging,
-                        desc.nodes);
+                        recorder.stream_range(parents(0)), shape, desc.list_count, desc.rays,
+                        desc.converging, desc.nodes);
         for (cl_uint level = 1; level < shape.count; ++level)
             recorder.launch(RSH_STAGE_BUILD,
                             {"programs/paper_faithful", "rsh_build_cones_level"},
-                            recorder.range(parents(level)), shape, level, desc.nodes);
+                            recorder.stream_range(parents(level)), shape, desc.list_count,
+                            level, desc.nodes);
     }
 };
 

@@ -19,8 +19,8 @@ void audit(Recorder& recorder, const rsh_audit_desc& desc) {
     if (sample == 0) return;
     recorder.launch(RSH_STAGE_OTHER, {"traverse/audit", "rsh_audit"}, recorder.stream_range(),
                     mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.skip, desc.ray_count, desc.hits, desc.occlusion, bit, sample,
-                    desc.seed, desc.report);
+                    desc.skip, desc.ray_count, desc.list_count, desc.hits, desc.occlusion, bit,
+                    sample, desc.seed, desc.report);
 }
 
 }  // namespace rsh

@@ -28,7 +28,8 @@ public:
         recorder.launch(RSH_STAGE_INTERSECT, {"traverse/brute_force", "rsh_brute_force"},
                         recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
                         mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                        desc.skip, rays, desc.hits, desc.occlusion, occlusion_mask(desc));
+                        desc.skip, rays, desc.list_count, desc.hits, desc.occlusion,
+                        occlusion_mask(desc));
     }
 };
 

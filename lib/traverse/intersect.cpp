@@ -9,10 +9,11 @@ cl_uint occlusion_mask(const rsh_traverse_desc& desc) {
     return desc.query == RSH_QUERY_ANY ? cl_uint{1} << desc.occlusion_bit : 0;
 }
 
-void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
+void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program) {
     if (desc.query == RSH_QUERY_ANY) return;
-    const cl_ulong rays = ray_count(desc.width, desc.height);
-    recorder.fill(RSH_STAGE_OTHER, desc.hits, RSH_NO_HIT, rays * sizeof(rsh_hit));
+    const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
+    recorder.launch(RSH_STAGE_OTHER, {program, "rsh_clear_hits"}, recorder.stream_range(rays),
+                    desc.rays, rays, desc.list_count, desc.hits);
 }
 
 void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
@@ -29,8 +30,8 @@ void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {
     const rsh_geometry& geometry = desc.geometry;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/paper_faithful", "rsh_resolve"},
-                    recorder.range(rays), mesh_view_of(geometry), geometry.vertices,
-                    geometry.indices, desc.rays, rays, desc.hits);
+                    recorder.stream_range(rays), mesh_view_of(geometry), geometry.vertices,
+                    geometry.indices, desc.rays, rays, desc.list_count, desc.hits);
 }
 
 }  // namespace rsh

@@ -318,6 +318,11 @@ TEST_F(Misuse, OfAuditsIsRefused) {
                   {"report", "4", "32"});
     refuses<Desc>(desc, [](Desc& d) { d.report = d.hits; }, RSH_INVALID_VALUE,
                   {"report", "overlap", "hits"});
+    refuses<Desc>(desc, [](Desc& d) { d.list_count = d.report; }, RSH_INVALID_VALUE,
+                  {"report", "overlap", "list_count"});
+    const cl::Buffer half(test::device().context, CL_MEM_READ_WRITE, 2);
+    refuses<Desc>(desc, [&](Desc& d) { d.list_count = half(); }, RSH_BUFFER_TOO_SMALL,
+                  {"list_count", "2 bytes", "4"});
     refuses<Desc>(desc, [](Desc& d) { d.geometry.vertex_stride = 8; }, RSH_INVALID_VALUE,
                   {"vertex_stride", "8"});
     auto frame = valid_.frame();

@@ -81,12 +81,14 @@ private:
         build.height = desc.height;
         build.converging = converging;
         build.shape = desc.shape;
-        build.list_count = desc.list_count;
         rsh_sizes sizes = {};
         sizes.struct_size = sizeof sizes;
         RSH_CHECK(rsh_build_query(context_, &build, &sizes));
         nodes_ = std::make_unique<Bytes>(sizes.output_bytes);
         build.nodes = desc.nodes = nodes_->get();
+        RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
+        if (!desc.list_count) return;
+        build.list_count = desc.list_count;  // over the nodes of the longer list
         RSH_CHECK(rsh_build(context_, device().queue(), &build, 0, nullptr, nullptr));
     }
 

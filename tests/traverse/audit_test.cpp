@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "support/compare.hpp"
 #include "support/render.hpp"
@@ -39,6 +40,7 @@ protected:
     test::DeviceMesh device_mesh_{scene_.mesh};
     test::Rays rays_ = test::pinhole_rays(37, 23);
     Buffer<rsh_ray> ray_buffer_{rays_.rays};
+    std::optional<cl_uint> list_count_;
 
 private:
     rsh_audit_desc empty(cl_uint sample, cl_uint seed) const {
@@ -55,7 +57,9 @@ private:
     // Twice: what the report held before must not matter.
     rsh_audit_report audit(rsh_audit_desc desc) const {
         const Buffer<rsh_audit_report> report(1);
+        const Buffer<uint32_t> list_count(std::vector<uint32_t>{list_count_.value_or(0)});
         desc.report = report.get();
+        if (list_count_) desc.list_count = list_count.get();
         for (int i = 0; i < 2; ++i)
             RSH_CHECK(rsh_audit(test::device().rsh, test::device().queue(), &desc, 0, nullptr,
                                 nullptr));
@@ -199,6 +203,21 @@ TEST_F(Audit, LeavesInactiveRaysOut) {
     expect_report(audit(wrong), 3, 3, 3);
     EXPECT_EQ(audit(wrong, 1).differences, 1u);
     expect_report(audit(wrong, 2), 2, 2, 3);  // ranges of 425 and 426 rays
+}
+
+// What lies behind them may be anything, and is.
+TEST_F(Audit, TracesTheRaysThatTheDeviceCounts) {
+    const std::vector<rsh_hit> right = hits();
+    for (const cl_uint known : {0u, 1u, 300u, 850u, 0xffffffffu}) {
+        const size_t rays = std::min<size_t>(known, count());
+        std::vector<rsh_hit> wrong = right;
+        for (size_t i = rays; i < count(); ++i) wrong[i].primitive ^= 1;
+        list_count_ = known;
+        for (const cl_uint sample : {0u, 7u, 851u}) {
+            const size_t traced = sample ? std::min<size_t>(sample, rays) : rays;
+            expect_report(audit(wrong, sample), traced, 0, RSH_NO_HIT);
+        }
+    }
 }
 
 // Of the frame's waves, as the statistics count them.

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "support/compare.hpp"
+#include "support/strategies.hpp"
 #include "support/ways.hpp"
 
 namespace {
@@ -54,31 +55,36 @@ protected:
     std::vector<uint32_t> counts() {
         const uint32_t width = rays_.width, some = 1 + random_.below(width - 1);
         if (test::small()) return {0, some, width + 1};
-        return {0, 1, 16, 17, 256, 257, some, width - 1, width, width + 1, 0xffffffffu};
+        return {0, 1, 16, 257, some, width - 1, width, 0xffffffffu};
     }
 
     test::Random random_{31};
-    const test::Mesh host_ = test::random_soup(random_, test::small() ? 50 : 300, 0.5f);
+    const test::Mesh host_ = test::random_soup(random_, test::small() ? 50 : 800, 0.3f);
     const DeviceMesh mesh_{host_};
     const Rays rays_ = GetParam().make(random_, host_, test::small() ? 300 : 3001);
 };
 
 TEST_P(ListCount, FindsTheHitsOfAListOfThatWidth) {
     const std::vector<rsh_hit> untouched = test::Buffer<rsh_hit>(rays_.rays.size()).read();
-    for (TraceOptions way : test::ways_of(RSH_ENGINE_TILES))
+    for (TraceOptions way : test::brute_force_and_all_ways())
         for (const uint32_t count : counts()) {
             SCOPED_TRACE(name_of(way) + ", " + std::to_string(count));
             way.list_count.reset();
             auto expected = closest_hits(mesh_, first_of(rays_, count), way);
             append(expected, untouched);
             way.list_count = count;
-            EXPECT_TRUE(test::same_bits(closest_hits(mesh_, rays_, way), expected, "hits"));
+            way.own_scratch = true;
+            for (const size_t budget : {size_t{0}, size_t{RSH_MIN_BUDGET}}) {
+                way.budget = budget;
+                EXPECT_TRUE(test::same_bits(closest_hits(mesh_, rays_, way), expected, "hits"))
+                    << "budget " << budget;
+            }
         }
 }
 
 TEST_P(ListCount, FindsTheOcclusionOfAListOfThatWidth) {
     const std::vector<uint32_t> masks(rays_.rays.size(), 0xa5a50000u);
-    for (TraceOptions way : test::ways_of(RSH_ENGINE_TILES))
+    for (TraceOptions way : test::brute_force_and_all_ways())
         for (const uint32_t count : counts()) {
             SCOPED_TRACE(name_of(way) + ", " + std::to_string(count));
             way.list_count.reset();
@@ -103,25 +109,48 @@ void expect_same_work(const rsh_statistics& actual, const rsh_statistics& expect
 }
 
 TEST_P(ListCount, TakesTheTestsOfAListOfThatWidth) {
-    for (TraceOptions way : test::ways_of(RSH_ENGINE_TILES))
-        for (const uint32_t count : {0u, 1u, 290u, rays_.width, rays_.width + 1}) {
-            SCOPED_TRACE(name_of(way) + ", " + std::to_string(count));
-            way.list_count.reset();
-            const auto expected = statistics_of(mesh_, first_of(rays_, count), way);
-            way.list_count = count;
-            expect_same_work(statistics_of(mesh_, rays_, way), expected);
-        }
+    const test::OwnContext context;
+    for (TraceOptions way : test::brute_force_and_all_ways())
+        for (const size_t budget : {size_t{RSH_MIN_BUDGET}, size_t{64} << 20})
+            for (const uint32_t count : {0u, 200u, 290u, rays_.width + 1}) {
+                SCOPED_TRACE(name_of(way) + ", " + std::to_string(count) + ", budget " +
+                             std::to_string(budget));
+                way.context = context.get();
+                way.budget = budget;
+                way.list_count.reset();
+                const auto expected = statistics_of(mesh_, first_of(rays_, count), way);
+                way.list_count = count;
+                expect_same_work(statistics_of(mesh_, rays_, way), expected);
+            }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ListCount, ::testing::ValuesIn(all_rays()),
                          [](const auto& named) { return named.param.name; });
+
+// The stream of pairs begins at the root of the rays that there are.
+TEST(ListCountOfPairs, IsReducedByEveryStrategy) {
+    test::Random random(33);
+    const DeviceMesh mesh(test::random_soup(random, test::small() ? 50 : 300, 0.5f));
+    const Rays rays = test::random_rays(random, 3001, 1);
+    for (TraceOptions way : test::ways_of(RSH_ENGINE_PAPER_FAITHFUL))
+        for (way.strategy = 1; rsh_strategy_name(way.strategy); ++way.strategy)
+            for (const uint32_t count : {0u, 3u, 70u}) {
+                SCOPED_TRACE(test::strategy_name(way.strategy) + ", " + std::to_string(count));
+                way.list_count = count;
+                auto hits = closest_hits(mesh, rays, way);
+                hits.resize(count);
+                EXPECT_TRUE(test::same_bits(
+                    hits, closest_hits(mesh, first_of(rays, count), test::brute_force()),
+                    "hits"));
+            }
+}
 
 // As nodes of another list are; see wrong_buffers_test.cpp.
 TEST(ListCountOfNodes, IsThatOfTheTraversal) {
     test::Random random(32);
     const DeviceMesh mesh(test::random_soup(random, 50, 0.5f));
     const Rays rays = test::pinhole_rays(600, 1);
-    for (TraceOptions way : test::ways_of(RSH_ENGINE_TILES)) {
+    for (TraceOptions way : test::all_ways()) {
         SCOPED_TRACE(name_of(way));
         way.list_count = 300;
         way.nodes_count = 301;

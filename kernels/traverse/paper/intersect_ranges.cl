@@ -1,8 +1,9 @@
 /* intersect_ranges.cl - the last level of the engine `paper`: the 16 rays of a block against
  * the triangles of its range; and what the stream could not hold.
  *   triangles, ranges  in      of the blocks
+ *   list_count         in      how many rays of a list there are; NULL: all
  *   skip               in      a triangle per ray that it does not hit; NULL: none
- *   hits               in/out  closest so far; at first those of rsh_intersect_ranges_clear
+ *   hits               in/out  closest so far; at first those of traverse/clear_hits.cl
  *   occlusion          in/out  any: a bit per ray
  * A work-item owns the rays that it writes, and launches follow each other: no atomics.
  */
@@ -14,29 +15,21 @@
 #include "traverse/paper/siblings.h"
 #include "tuning.h"
 
-__kernel void rsh_intersect_ranges_clear(__global const rsh_ray* rays, uint count,
-                                         __global rsh_hit* hits)
-{
-    const uint i = get_global_id(0);
-    if (i >= count) return; /* launch is rounded up to whole groups */
-    hits[i] = (rsh_hit){rays[i].direction_tmax.w, 0.0f, 0.0f, RSH_NO_HIT};
-}
-
 /* A work-item takes the blocks of a tile. */
-__kernel void rsh_intersect_ranges(ray_levels shape, mesh_view mesh,
-                                   __global const float* vertices, __global const uint* indices,
-                                   __global const rsh_ray* rays, __global const uint* skip,
-                                   __global const float* bounds, __global const float* nodes,
-                                   __global const uint* triangles, __global const uint2* ranges,
-                                   __global rsh_hit* hits, __global uint* occlusion,
-                                   uint occlusion_bit)
+__kernel void rsh_intersect_ranges(ray_levels shape, __global const uint* list_count,
+                                   mesh_view mesh, __global const float* vertices,
+                                   __global const uint* indices, __global const rsh_ray* rays,
+                                   __global const uint* skip, __global const float* bounds,
+                                   __global const float* nodes, __global const uint* triangles,
+                                   __global const uint2* ranges, __global rsh_hit* hits,
+                                   __global uint* occlusion, uint occlusion_bit)
 {
     const uint me = get_global_id(0);
-    if (me >= tile_count(shape)) return;
-    const ray_levels levels = shape;
+    const ray_levels levels = counted_levels(shape, list_count);
+    if (me >= tile_count(levels)) return;
     const range_target target = {
         {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
-    const ray_tile tile = tile_at(shape, order_in(nodes), me);
+    const ray_tile tile = tile_at(levels, order_in(nodes), me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
         if (node == RSH_NO_NODE || ranges[node].y == 0) continue;
@@ -78,21 +71,22 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
  * ancestor's triangles against the blocks of the tile, then against their rays. Levels in
  * between are skipped. nodes: those of rsh_build. */
 __kernel void rsh_intersect_ranges_finish(
-    ray_levels shape, range_step step, mesh_view mesh, __global const float* vertices,
-    __global const uint* indices, __global const rsh_ray* rays, __global const uint* skip,
-    __global const float* bounds, __global const float* nodes, __global const uint* triangles,
-    __global const uint2* ranges, __global const uint* sums, __global rsh_hit* hits,
-    __global uint* occlusion, uint occlusion_bit, __global uint* tally)
+    ray_levels shape, __global const uint* list_count, range_step given, mesh_view mesh,
+    __global const float* vertices, __global const uint* indices, __global const rsh_ray* rays,
+    __global const uint* skip, __global const float* bounds, __global const float* nodes,
+    __global const uint* triangles, __global const uint2* ranges, __global const uint* sums,
+    __global rsh_hit* hits, __global uint* occlusion, uint occlusion_bit, __global uint* tally)
 {
     const uint me = get_global_id(0);
-    if (me >= tile_count(shape)) return;
-    const ray_levels levels = shape;
+    const ray_levels levels = counted_levels(shape, list_count);
+    if (me >= tile_count(levels)) return;
+    const range_step step = counted_step(given, &levels, list_count);
     const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;
     const triangle_range range = range_of_parent(step, ranges, ancestor);
     const range_target target = {
         {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
-    const ray_tile tile = tile_at(shape, order_in(nodes), me);
+    const ray_tile tile = tile_at(levels, order_in(nodes), me);
     sibling_nodes blocks;
     load_siblings(&blocks, nodes + RSH_NODES_HEAD_WORDS + (ulong)RSH_GROUP_FLOATS * me);
     gathered_triangles gathered;

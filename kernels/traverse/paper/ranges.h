@@ -11,6 +11,19 @@ typedef struct triangle_range {
     uint begin, count; /* in the stream of its level */
 } triangle_range;
 
+/* The step of those rays of a list that there are: the work-items of all parents share the parents
+ * of these rays; above their root there are none. */
+static range_step counted_step(range_step step, const ray_levels* counted,
+                               __global const uint* list_count)
+{
+    if (!list_count) return step;
+    const uint items = step.parents * step.slices;
+    step.is_root = step.level + 1 == counted->count;
+    step.parents = step.level + 1 > counted->count ? 0 : counted->width[step.level + 1];
+    step.slices = clamp(items / max(step.parents, 1u), 1u, (uint)RSH_MAX_SLICES);
+    return step;
+}
+
 /* The triangles that are paired with a parent; at the root, the whole batch. */
 static triangle_range range_of_parent(range_step step, __global const uint2* ranges,
                                       uint parent)
@@ -34,17 +47,17 @@ static uint triangle_at(range_step step, __global const uint* triangles, uint i)
 }
 
 /* Where the survivors of a parent begin. sums: per slice, how many survivors there are before
- * it; behind the last slice, how many there are. */
+ * it; behind the last slice, how many there are. What follows means nothing. */
 static uint survivors_before(range_step step, __global const uint* sums, uint parent)
 {
     return sums[parent * step.slices];
 }
 
-/* Whether the stream cannot hold the survivors of this parent. Then rsh_intersect_ranges_finish
- * works its range off. Known before anything is written. */
+/* Whether the stream cannot hold the survivors of this parent, if there is such a one. Then
+ * rsh_intersect_ranges_finish works its range off. Known before anything is written. */
 static bool is_left_over(range_step step, __global const uint* sums, uint parent)
 {
-    return survivors_before(step, sums, parent + 1) > step.capacity;
+    return parent < step.parents && survivors_before(step, sums, parent + 1) > step.capacity;
 }
 
 #endif

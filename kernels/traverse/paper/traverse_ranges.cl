@@ -2,6 +2,7 @@
  * its 16 children, all at a time. They are counted first and written second: no pair that fails
  * is ever written, and what does not fit is known before.
  *   triangles, ranges  in   of the parents
+ *   list_count         in   how many rays of a list there are; NULL: all
  *   masks              out  per triangle, which children it meets
  *   counts             out  per slice and child
  *   sums               out  per slice; reduce/scan_counts.cl scans them in between
@@ -19,12 +20,15 @@
 /* groups: from word first_word of `groups` on. At the root the traversal ends where bounds or
  * nodes are not its own: no triangle meets anything. */
 __kernel void rsh_traverse_ranges_count(
-    range_step step, bvh_layout scene_shape, ray_levels shape, __global const float* bounds,
-    __global const float* nodes, __global const float* groups, uint first_word,
-    volatile __global uint* wrong, __global const uint* triangles, __global const uint2* ranges,
-    __global ushort* masks, __global uint* counts, __global uint* sums)
+    range_step given, bvh_layout scene_shape, ray_levels shape, __global const uint* list_count,
+    __global const float* bounds, __global const float* nodes, __global const float* groups,
+    uint first_word, volatile __global uint* wrong, __global const uint* triangles,
+    __global const uint2* ranges, __global ushort* masks, __global uint* counts,
+    __global uint* sums)
 {
     const uint me = get_global_id(0);
+    const ray_levels levels = counted_levels(shape, list_count);
+    const range_step step = counted_step(given, &levels, list_count);
     if (me >= step.parents * step.slices) return; /* launch is rounded up to whole groups */
     const uint parent = me / step.slices;
     const triangle_range slice =
@@ -33,7 +37,7 @@ __kernel void rsh_traverse_ranges_count(
     const bool is_right =
         !step.is_root ||
         are_right(are_made_of(bounds, scene_shape),
-                  nodes_are_of(shape, shape.width[0], RSH_BOXES_MADE, nodes), wrong);
+                  nodes_are_of(shape, levels.width[0], RSH_BOXES_MADE, nodes), wrong);
     if (slice.count > 0) {
         sibling_nodes siblings;
         load_siblings(
@@ -72,16 +76,17 @@ static void place_children(range_step step, __global const uint* counts, uint me
     }
 }
 
-__kernel void rsh_traverse_ranges_emit(ray_levels shape, range_step step,
-                                       __global const uint* triangles,
+__kernel void rsh_traverse_ranges_emit(ray_levels shape, __global const uint* list_count,
+                                       range_step given, __global const uint* triangles,
                                        __global const ushort* masks,
                                        __global const uint* counts, __global const uint* sums,
                                        __global uint* children, __global uint2* ranges,
                                        __global uint* tally)
 {
     const uint me = get_global_id(0);
+    const ray_levels levels = counted_levels(shape, list_count);
+    const range_step step = counted_step(given, &levels, list_count);
     if (me >= step.parents * step.slices) return;
-    const ray_levels levels = shape;
     const uint parent = me / step.slices;
     const triangle_range slice =
         slice_of(range_of_parent(step, ranges, parent), me % step.slices, step.slices);
@@ -99,6 +104,7 @@ __kernel void rsh_traverse_ranges_emit(ray_levels shape, range_step step,
         if (parent == 0 && step.is_counting)
             tally[RSH_TALLY_SURVIVORS + step.level] =
                 survivors_before(step, sums, step.parents);
+        if (step.is_root && step.is_counting) tally[RSH_TALLY_ROOT] = step.level + 1;
     }
     for (uint i = slice.begin; fits && i < slice.begin + slice.count; ++i) {
         const uint triangle = triangle_at(step, triangles, i);

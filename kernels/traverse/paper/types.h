@@ -4,6 +4,10 @@
 
 #include "rsh/rsh_types.h"
 
+/* A parent's range is cut so that each level has work-items for all cores; each of them looks at
+ * the counts of all slices of its parent, so that more slices would cost more than they bring. */
+#define RSH_MAX_SLICES 256
+
 /* One level of a traversal by ranges: nodes of level + 1, each with a range of triangles, hand
  * these on to their children at `level`. */
 typedef struct range_step {
@@ -22,9 +26,11 @@ RSH_ASSERT_SIZE(range_step, 44);
 /* Words that such a batch leaves for the statistics: [level] pairs in the stream of the level,
  * [RSH_TALLY_SURVIVORS + level] those that there should have been, [RSH_TALLY_FINISHED] tests
  * of triangles against a tile's blocks by rsh_intersect_ranges_finish, [... + 2] against rays;
- * these two as traverse/count.h has them. */
+ * these two as traverse/count.h has them; [RSH_TALLY_ROOT] the level of the root, 0 if there are
+ * no rays. */
 #define RSH_TALLY_SURVIVORS 17
 #define RSH_TALLY_FINISHED 34
-#define RSH_TALLY_WORDS 38
+#define RSH_TALLY_ROOT 38
+#define RSH_TALLY_WORDS 39
 
 #endif

@@ -1,5 +1,5 @@
 /* traverse_walk.cl - finishes, depth first, the pairs of a level that its stream cannot hold.
- *   pairs[limit ...]  in   pairs with nodes of level + 1
+ *   pairs[limit ...]  in   pairs with nodes of level + 1; those with the root are never so many
  *   skip              in   a triangle per ray that it does not hit; NULL: none
  *   hits, occlusion   out  as in traverse/paper_faithful/intersect.cl
  * Same tests and same hits as breadth first, in memory that does not grow: a work-item keeps a

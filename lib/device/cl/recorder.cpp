@@ -1,5 +1,7 @@
 #include "device/cl/recorder.hpp"
 
+#include <algorithm>
+
 #include "device/error.hpp"
 #include "device/objects/waiting.hpp"
 
@@ -78,11 +80,11 @@ void Recorder::continue_after(Event event) {
 }
 
 // On CPUs a group is a task: single items, a few per core to balance uneven runs.
-Range Recorder::stream_range() const {
+Range Recorder::stream_range(size_t most) const {
     const DeviceCaps& caps = context_.caps;
     const size_t tasks = size_t{caps.compute_units} * 16;
-    if (context_.vector_width > 1) return {tasks, 1};
-    return {tasks * caps.group_size, caps.group_size, true};
+    if (context_.vector_width > 1) return {std::min(tasks, most), 1};
+    return {std::min(tasks * caps.group_size, most), caps.group_size, true};
 }
 
 void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset) {

@@ -4,6 +4,7 @@
 
 #include <rsh/rsh.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "device/cl/context.hpp"
@@ -52,8 +53,8 @@ public:
     }
 
     // Enough work-items to fill the device, for a stream whose length only the device knows;
-    // see kernels/lanes/stride.h.
-    Range stream_range() const;
+    // see kernels/lanes/stride.h. No more of them than `most` elements.
+    Range stream_range(size_t most = SIZE_MAX) const;
 
     // Sets `bytes` of `buffer` from `offset` on (multiples of 4) to a repeated word.
     void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset = 0);

@@ -8,6 +8,7 @@
 #include "bvh/layout.hpp"
 #include "rays/levels.hpp"
 #include "rays/types.h"
+#include "traverse/intersect.hpp"
 #include "traverse/paper/traverse_ranges.hpp"
 
 namespace rsh {
@@ -19,11 +20,6 @@ constexpr size_t kBytesPerTriangle = 2 * sizeof(cl_uint) + sizeof(cl_ushort);
 constexpr cl_ulong kMaxCapacity = 1u << 27;
 constexpr size_t kDefaultBytes = 40;  // per ray and per triangle
 
-// A parent's range is cut so that each level has work-items for all cores; each of them looks
-// at the counts of all slices of its parent, so that more slices would cost more than they
-// bring.
-constexpr cl_uint kMaxSlices = 256;
-
 cl_uint nodes_of(const ray_levels& levels, cl_uint level) {
     return static_cast<cl_uint>(node_count(levels, level));
 }
@@ -31,7 +27,7 @@ cl_uint nodes_of(const ray_levels& levels, cl_uint level) {
 cl_uint slices_of(const Context& context, const ray_levels& levels, cl_uint level) {
     const cl_uint wanted = context.vector_width > 1 ? 32 * context.caps.compute_units : 4096;
     const cl_uint parents = std::max(nodes_of(levels, level + 1), 1u);
-    return std::clamp(wanted / parents, 1u, kMaxSlices);
+    return std::clamp(wanted / parents, 1u, cl_uint{RSH_MAX_SLICES});
 }
 
 // What ranges name: places in the leaves, some of them empty.
@@ -70,11 +66,13 @@ cl_uint first_range(const ray_levels& levels, cl_uint level) {
     return first;
 }
 
-void add_tally(rsh_statistics& sums, const range_step& root, const cl_uint* tally) {
+void add_tally(rsh_statistics& sums, cl_uint batch_count, const cl_uint* tally) {
     ++sums.batches;
-    sums.pairs_tested[root.level + 1] += root.batch_count;
-    sums.node_tests += 16 * cl_ulong{root.batch_count};
-    for (cl_uint level = root.level; level > 0; --level) {
+    const cl_uint root = tally[RSH_TALLY_ROOT];
+    if (root == 0) return;
+    sums.pairs_tested[root] += batch_count;
+    sums.node_tests += 16 * cl_ulong{batch_count};
+    for (cl_uint level = root - 1; level > 0; --level) {
         const cl_ulong held = tally[level];
         sums.pairs_tested[level] += tally[RSH_TALLY_SURVIVORS + level];
         sums.pairs_walked[level] += tally[RSH_TALLY_SURVIVORS + level] - held;
@@ -103,8 +101,8 @@ public:
     }
 
     void run() {
-        clear_range_hits(recorder_, desc_);
-        join_boxes(recorder_, shape_, desc_.nodes, scratch_["nodes"]);
+        clear_hits(recorder_, desc_, "programs/paper");
+        join_boxes(recorder_, desc_, shape_, scratch_["nodes"]);
         const cl_uint total = names_of(desc_);
         const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
         for (cl_uint first = 0; first < total; first += size) {
@@ -122,16 +120,15 @@ private:
         for (cl_uint level = shape_.count; level-- > 1;) {
             const RangeLevel step = level_of(level, first, count);
             count_ranges(recorder_, desc_, step, streams_);
-            emit_ranges(recorder_, step, streams_);
+            emit_ranges(recorder_, desc_, step, streams_);
             if (can_overflow(shape_, level, count, streams_.capacity))
                 finish_ranges(recorder_, desc_, step, streams_);
         }
         intersect_ranges(recorder_, desc_, shape_, streams_);
         if (!is_counting) return;
-        const range_step root = level_of(shape_.count - 1, first, count).step;
         recorder_.count_later(streams_.tally, RSH_TALLY_WORDS,
-                              [root](rsh_statistics& sums, const cl_uint* tally) {
-                                  add_tally(sums, root, tally);
+                              [count](rsh_statistics& sums, const cl_uint* tally) {
+                                  add_tally(sums, count, tally);
                               });
     }
 

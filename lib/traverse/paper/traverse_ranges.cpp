@@ -37,54 +37,51 @@ void count_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const Range
                   const RangeStreams& streams) {
     recorder.launch(RSH_STAGE_TEST, paper_kernel("rsh_traverse_ranges_count"),
                     slices_range(recorder, level.step), level.step,
-                    bvh_layout_of(desc.geometry.triangle_count), level.shape, desc.bounds,
-                    desc.nodes, level.groups, level.first_word, recorder.wrong_buffers(),
-                    parents_of(level, streams), streams.ranges, streams.masks, streams.counts,
-                    streams.sums);
+                    bvh_layout_of(desc.geometry.triangle_count), level.shape, desc.list_count,
+                    desc.bounds, desc.nodes, level.groups, level.first_word,
+                    recorder.wrong_buffers(), parents_of(level, streams), streams.ranges,
+                    streams.masks, streams.counts, streams.sums);
     scan_sums(recorder, level.step, streams);
 }
 
-void emit_ranges(Recorder& recorder, const RangeLevel& level, const RangeStreams& streams) {
+void emit_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
+                 const RangeStreams& streams) {
     recorder.launch(RSH_STAGE_REDUCE, paper_kernel("rsh_traverse_ranges_emit"),
-                    slices_range(recorder, level.step), level.shape, level.step,
-                    parents_of(level, streams), streams.masks, streams.counts, streams.sums,
-                    streams.triangles[level.step.level % 2], streams.ranges, streams.tally);
+                    slices_range(recorder, level.step), level.shape, desc.list_count,
+                    level.step, parents_of(level, streams), streams.masks, streams.counts,
+                    streams.sums, streams.triangles[level.step.level % 2], streams.ranges,
+                    streams.tally);
 }
 
 void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
                    const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges_finish"),
-                    recorder.serial_range(node_count(level.shape, 2)), level.shape, level.step,
-                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.skip, desc.bounds, desc.nodes, parents_of(level, streams),
-                    streams.ranges, streams.sums, desc.hits, desc.occlusion,
-                    occlusion_mask(desc), streams.tally);
-}
-
-void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc) {
-    if (desc.query == RSH_QUERY_ANY) return;
-    const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
-    recorder.launch(RSH_STAGE_OTHER, paper_kernel("rsh_intersect_ranges_clear"),
-                    recorder.range(rays), desc.rays, rays, desc.hits);
+                    recorder.serial_range(node_count(level.shape, 2)), level.shape,
+                    desc.list_count, level.step, mesh_view_of(geometry), geometry.vertices,
+                    geometry.indices, desc.rays, desc.skip, desc.bounds, desc.nodes,
+                    parents_of(level, streams), streams.ranges, streams.sums, desc.hits,
+                    desc.occlusion, occlusion_mask(desc), streams.tally);
 }
 
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
                       const ray_levels& shape, const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges"),
-                    recorder.serial_range(node_count(shape, 2)), shape, mesh_view_of(geometry),
-                    geometry.vertices, geometry.indices, desc.rays, desc.skip, desc.bounds,
-                    desc.nodes, streams.triangles[1], streams.ranges, desc.hits, desc.occlusion,
-                    occlusion_mask(desc));
+                    recorder.serial_range(node_count(shape, 2)), shape, desc.list_count,
+                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                    desc.skip, desc.bounds, desc.nodes, streams.triangles[1], streams.ranges,
+                    desc.hits, desc.occlusion, occlusion_mask(desc));
 }
 
-void join_boxes(Recorder& recorder, const ray_levels& shape, cl_mem tiles, cl_mem upper) {
+void join_boxes(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& shape,
+                cl_mem upper) {
     const cl_uint first = shape.first_child_group[2];
     for (cl_uint level = 2; level < shape.count; ++level)
         recorder.launch(RSH_STAGE_BUILD, paper_kernel("rsh_join_boxes"),
-                        recorder.serial_range(node_count(shape, level + 1)), shape, level,
-                        level == 2 ? tiles : upper, level == 2 ? kFirstNode : cl_uint{0},
+                        recorder.serial_range(node_count(shape, level + 1)), shape,
+                        desc.list_count, level, level == 2 ? desc.nodes : upper,
+                        level == 2 ? kFirstNode : cl_uint{0},
                         level == 2 ? cl_uint{0} : shape.first_child_group[level - 1] - first,
                         upper, shape.first_child_group[level] - first);
 }

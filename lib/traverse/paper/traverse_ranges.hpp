@@ -29,19 +29,19 @@ struct RangeLevel {
 // The children at level.step.level of the parents above: counted, then written.
 void count_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
                   const RangeStreams& streams);
-void emit_ranges(Recorder& recorder, const RangeLevel& level, const RangeStreams& streams);
+void emit_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
+                 const RangeStreams& streams);
 // Parents whose children do not fit, down to the hits. After the other two.
 void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
                    const RangeStreams& streams);
 
-// No ray has hit anything yet.
-void clear_range_hits(Recorder& recorder, const rsh_traverse_desc& desc);
 // The ranges of level 1, that is, of the blocks.
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
                       const ray_levels& shape, const RangeStreams& streams);
 
 // Nodes of shape `box` above the blocks, into `upper`: one box_node16 after the other, the
 // first ones of tiles, the last one of the root's children.
-void join_boxes(Recorder& recorder, const ray_levels& shape, cl_mem tiles, cl_mem upper);
+void join_boxes(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& shape,
+                cl_mem upper);
 
 }  // namespace rsh

@@ -62,27 +62,33 @@ ReduceStream survivors(const PairStreams& streams, cl_uint level) {
     return stream;
 }
 
-// counts[l] is the length of the stream at level l; what no level tests first is known by size.
-void count_statistics(Recorder& recorder, const ray_levels& levels, const PairStreams& streams,
-                      const Batch& batch) {
+// counts[l] is the length of the stream at level l. The highest one that is not empty is that of the
+// root: its pairs are not stored.
+void add_counts(rsh_statistics& sums, cl_uint levels, cl_uint limit, const cl_uint* counts) {
+    cl_uint root = levels;
+    while (root > 0 && counts[root] == 0) --root;
+    ++sums.batches;
+    sums.pairs_tested[root] += counts[root];
+    sums.node_tests += counts[root];
+    sums.ray_tests += counts[0];
+    for (cl_uint l = 0; l < root; ++l) {
+        const cl_ulong pairs = counts[l];
+        const cl_ulong walked = l > 0 && pairs > limit ? pairs - limit : 0;
+        sums.pairs_tested[l] += pairs;
+        sums.pairs_walked[l] += walked;
+        if (l > 0) sums.node_tests += 4 * pairs;
+        sums.peak_pairs = std::max(sums.peak_pairs, pairs);
+    }
+}
+
+void count_statistics(Recorder& recorder, const ray_levels& levels,
+                      const PairStreams& streams) {
     if (!recorder.context().statistics.enabled()) return;
     const cl_uint limit = streams.limit, count = levels.count;
-    recorder.count_later(
-        streams.counts, count,
-        [limit, count, batch](rsh_statistics& sums, const cl_uint* level_counts) {
-            ++sums.batches;
-            sums.pairs_tested[count] += batch.triangle_count;
-            sums.node_tests += batch.triangle_count;
-            sums.ray_tests += level_counts[0];
-            for (cl_uint l = 0; l < count; ++l) {
-                const cl_ulong pairs = level_counts[l];
-                const cl_ulong walked = l > 0 && pairs > limit ? pairs - limit : 0;
-                sums.pairs_tested[l] += pairs;
-                sums.pairs_walked[l] += walked;
-                if (l > 0) sums.node_tests += 4 * pairs;
-                sums.peak_pairs = std::max(sums.peak_pairs, pairs);
-            }
-        });
+    recorder.count_later(streams.counts, count + 1,
+                         [limit, count](rsh_statistics& sums, const cl_uint* counts) {
+                             add_counts(sums, count, limit, counts);
+                         });
 }
 
 class Traversal {
@@ -99,7 +105,7 @@ public:
     }
 
     void run() {
-        clear_hits(recorder_, desc_);
+        clear_hits(recorder_, desc_, "programs/paper_faithful");
         const cl_uint total = desc_.geometry.triangle_count;
         const cl_uint size = batch_triangles(desc_, levels_, streams_.limit);
         for (cl_uint first = 0; first < total; first += size) {
@@ -111,16 +117,16 @@ public:
 
 private:
     void run_batch(const Batch& batch) {
-        test_root(recorder_, desc_, levels_, streams_, batch);
-        pack_survivors(levels_.count - 1);
-        for (cl_uint level = levels_.count - 1; level-- > 0;) {
-            test_level(recorder_, desc_, levels_, level, streams_);
-            if (can_overflow(levels_, level + 1, batch.triangle_count, streams_.limit))
+        for (cl_uint level = levels_.count; level-- > 0;) {
+            test_level(recorder_, desc_, levels_, level, streams_, batch);
+            const bool is_stored = level + 1 < levels_.count;
+            if (is_stored &&
+                can_overflow(levels_, level + 1, batch.triangle_count, streams_.limit))
                 walk_level(recorder_, desc_, levels_, level, streams_);
             pack_survivors(level);
         }
         intersect(recorder_, desc_, streams_.pairs, streams_.counts);
-        count_statistics(recorder_, levels_, streams_, batch);
+        count_statistics(recorder_, levels_, streams_);
     }
 
     void pack_survivors(cl_uint level) {

@@ -5,21 +5,13 @@
 
 namespace rsh {
 
-void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
-               const PairStreams& streams, const Batch& batch) {
-    recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level_root"},
-                    recorder.stream_range(), levels, levels.count - 1, batch.first_triangle,
-                    batch.triangle_count, desc.bounds, desc.nodes, streams.tested_pairs,
-                    streams.tested_count, desc.geometry.triangle_count,
-                    recorder.wrong_buffers());
-}
-
 void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
-                cl_uint level, const PairStreams& streams) {
+                cl_uint level, const PairStreams& streams, const Batch& batch) {
     recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_level"},
-                    recorder.stream_range(), levels, level, streams.limit, desc.bounds,
-                    desc.nodes, streams.pairs, streams.counts, streams.tested_pairs,
-                    streams.tested_count);
+                    recorder.stream_range(), levels, desc.list_count, level, streams.limit,
+                    batch.first_triangle, batch.triangle_count, desc.geometry.triangle_count,
+                    desc.bounds, desc.nodes, streams.pairs, streams.counts,
+                    streams.tested_pairs, streams.tested_count, recorder.wrong_buffers());
 }
 
 void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,

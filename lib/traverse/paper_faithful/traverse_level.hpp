@@ -10,7 +10,7 @@ namespace rsh {
 
 // The streams of one traversal. A level's test reads at most `limit` pairs and writes four
 // tested pairs for each; the reduction packs them into `pairs` and counts them in
-// counts[level].
+// counts[level]. Those with the root, a batch's triangles, are counted alone.
 struct PairStreams {
     cl_uint limit;
     cl_mem pairs;
@@ -24,11 +24,9 @@ struct Batch {
     cl_uint triangle_count;
 };
 
-// Children at `level` of the pairs at level + 1.
-void test_root(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
-               const PairStreams& streams, const Batch& batch);
+// Children at `level` of the pairs at level + 1; of none where that is above the root.
 void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
-                cl_uint level, const PairStreams& streams);
+                cl_uint level, const PairStreams& streams, const Batch& batch);
 // Finishes the pairs at level + 1 beyond the limit.
 void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                 cl_uint level, const PairStreams& streams);
