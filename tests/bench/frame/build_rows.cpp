@@ -41,8 +41,7 @@ std::vector<BuildRow> build_rows() {
 }
 
 std::string case_name(const BuildRow& row, const Column& column) {
-    return fmt::format("{}/engine:{}/bound:{}", row.name(), column.engine_name,
-                       column.bound_name);
+    return fmt::format("{}/{}", row.name(), column.name());
 }
 
 // The hierarchy is right when the hits found with it are.
@@ -64,7 +63,8 @@ Case measure_build(const Device& device, SceneOnDevice& scene, const BuildRow& r
                     {"rays", name_of(row.rays)},
                     {"active_rays", rays.active_count()},
                     {"engine", column.engine_name},
-                    {"bound", column.bound_name}},
+                    {"bound", column.bound_name},
+                    {"vector_width", column.vector_width}},
                    {{"mismatches", mismatches}, {"hits_checksum", checksum(hits)}},
                    mismatches == 0};
     if (result.ok) put_times(device, rays, tracer, pairs, result.metrics);

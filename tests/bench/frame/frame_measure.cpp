@@ -71,8 +71,9 @@ bool RowRun::choose(const std::vector<Column>& columns) {
     needs_ = RayMaker::needs(row_.size);
     for (const Column& column : columns) {
         std::string why = run_.estimate.refusal(limit_, column.name(), work());
-        auto tracer = std::make_unique<RshTracer>(device_, scene_.geometry(), shape_of(row_),
-                                                  is_shadow_, column);
+        auto tracer =
+            std::make_unique<RshTracer>(run_.devices.at(column.vector_width), scene_.geometry(),
+                                        shape_of(row_), is_shadow_, column);
         if (why.empty()) why = why_not(*tracer);
         if (!why.empty()) {
             leave_out(column, why);
@@ -178,7 +179,8 @@ nlohmann::json RowRun::params(const FrameContender& contender) const {
             {"active_rays", active_rays_},
             {"engine", contender.column.engine_name},
             {"bound", contender.column.bound_name},
-            {"refit", contender.column.is_refit}};
+            {"refit", contender.column.is_refit},
+            {"vector_width", contender.column.vector_width}};
 }
 
 void RowRun::hand_in() {

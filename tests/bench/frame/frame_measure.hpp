@@ -3,6 +3,8 @@
 // rays.
 #pragma once
 
+#include <map>
+
 #include "frame/frame_rows.hpp"
 #include "suite.hpp"
 
@@ -13,9 +15,13 @@ struct RowSettings {
     size_t min_rounds;  // whatever they take, unless the limit passes
 };
 
+// Devices by the width that their kernels are compiled for.
+using DevicesByWidth = std::map<cl_uint, Device>;
+
 // What the rows of a run have in common.
 struct FrameRun {
     const Run& run;
+    const DevicesByWidth& devices;
     RowSettings settings;
     Estimate estimate;  // by column; the work is pixels and triangles
 };

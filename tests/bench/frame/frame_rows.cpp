@@ -126,6 +126,18 @@ std::vector<Column> frame_columns(const Device& device) {
     return columns;
 }
 
+std::vector<Column> with_widths(const std::vector<Column>& columns,
+                                const std::vector<cl_uint>& widths) {
+    if (widths.empty()) return columns;
+    std::vector<Column> all;
+    for (const Column& column : columns)
+        for (const cl_uint width : widths) {
+            all.push_back(column);
+            all.back().vector_width = width;
+        }
+    return all;
+}
+
 // A breadth-first stream of pairs of incoherent rays takes minutes per frame.
 bool is_measured(const FrameRow& row, const Column& column) {
     const bool is_stream = column.engine_name.rfind("paper", 0) == 0;

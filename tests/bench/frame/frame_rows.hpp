@@ -29,6 +29,10 @@ std::vector<FrameRow> device_rows();
 // By name from the library: engines but brute force, with each bound that they take.
 std::vector<Column> frame_columns(const Device& device);
 
+// Each column with each width of vectors in turn; without widths, as they are.
+std::vector<Column> with_widths(const std::vector<Column>& columns,
+                                const std::vector<cl_uint>& widths);
+
 // Whether a run of this column ends within seconds.
 bool is_measured(const FrameRow& row, const Column& column);
 

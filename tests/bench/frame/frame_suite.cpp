@@ -36,8 +36,7 @@ void add(std::vector<Selected<Row>>& selected, const Row& row,
     if (!one.columns.empty()) selected.push_back(one);
 }
 
-Selection select(const Device& device, const std::string& filter, bool quick) {
-    const std::vector<Column> columns = frame_columns(device);
+Selection select(const std::vector<Column>& columns, const std::string& filter, bool quick) {
     const std::regex wanted(filter.empty() ? "." : filter);
     Selection selection;
     for (const FrameRow& row : frame_rows())
@@ -47,9 +46,9 @@ Selection select(const Device& device, const std::string& filter, bool quick) {
 }
 
 // Nothing that was there a frame ago is refitted.
-Selection select_device(const Device& device, const std::string& filter) {
+Selection select_device(const std::vector<Column>& all, const std::string& filter) {
     std::vector<Column> columns;
-    for (const Column& column : frame_columns(device))
+    for (const Column& column : all)
         if (!column.is_refit) columns.push_back(column);
     Selection selection;
     for (const FrameRow& row : device_rows())
@@ -66,10 +65,18 @@ void list(const Selection& selection) {
     print_all(selection.builds);
 }
 
+DevicesByWidth devices_of(const Device& device, const std::vector<cl_uint>& widths) {
+    DevicesByWidth devices;
+    if (widths.empty()) devices.emplace(0, Device(device, 0));
+    for (const cl_uint width : widths) devices.emplace(width, Device(device, width));
+    return devices;
+}
+
 class FrameMeasurement {
 public:
-    FrameMeasurement(const Run& run, const Selection& selection, const RowSettings& settings)
-        : run_{run, settings, {}},
+    FrameMeasurement(const Run& run, const DevicesByWidth& devices, const Selection& selection,
+                     const RowSettings& settings)
+        : run_{run, devices, settings, {}},
           shelf_(run.device),
           progress_(selection.frames.size() + selection.builds.size()) {
         for (const auto& one : selection.frames)
@@ -119,7 +126,8 @@ private:
                                   {"rays", name_of(row.rays)},
                                   {"engine", column.engine_name},
                                   {"bound", column.bound_name},
-                                  {"refit", column.is_refit}},
+                                  {"refit", column.is_refit},
+                                  {"vector_width", column.vector_width}},
                                  {{"error", why}},
                                  false};
             print_frame(failed);
@@ -129,7 +137,8 @@ private:
 
     void build(SceneOnDevice& scene, const BuildRow& row, const Column& column) {
         const size_t pairs = run_.run.quick ? 21 : 51;
-        const Case done = measure_build(run_.run.device, scene, row, column, pairs);
+        const Case done =
+            measure_build(run_.devices.at(column.vector_width), scene, row, column, pairs);
         print_build(done);
         run_.run.results.add(done);
     }
@@ -147,15 +156,21 @@ void FrameSuite::add_options(CLI::App& app) {
                    "standard, or device: three rooms at four sizes, every engine, small ones "
                    "first")
         ->check(CLI::IsMember({"standard", "device"}));
+    app.add_option("--vector-width", widths_,
+                   "Of the kernels, several with commas: each column with each of them in turn")
+        ->delimiter(',')
+        ->check(CLI::IsMember({1, 4, 8, 16}));
     app.add_flag("--list", lists_, "Print the names of the cases instead of running them");
 }
 
 void FrameSuite::run(const Run& run) {
     const bool is_brief = run.quick || rows_ == "device";
-    const Selection selection = rows_ == "device" ? select_device(run.device, filter_)
-                                                  : select(run.device, filter_, run.quick);
+    const std::vector<Column> columns = with_widths(frame_columns(run.device), widths_);
+    const Selection selection = rows_ == "device" ? select_device(columns, filter_)
+                                                  : select(columns, filter_, run.quick);
     if (lists_) return list(selection);
-    FrameMeasurement(run, selection, {is_brief ? 0.7 : 3.0, is_brief ? size_t{3} : size_t{5}});
+    FrameMeasurement(run, devices_of(run.device, widths_), selection,
+                     {is_brief ? 0.7 : 3.0, is_brief ? size_t{3} : size_t{5}});
     for (const Case& summary : summarize(run.results.cases())) {
         fmt::print("{}", as_text(summary));
         run.results.add(summary);

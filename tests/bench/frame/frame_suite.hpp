@@ -17,6 +17,7 @@ public:
 
 private:
     std::string filter_, rows_ = "standard";
+    std::vector<cl_uint> widths_;
     bool lists_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <tuple>
 
@@ -33,6 +34,10 @@ double number(const Case& c, const char* metric) {
 
 int64_t triangles(const Case& c) {
     return c.params.value("triangles", int64_t{0});
+}
+
+uint32_t vector_width(const Case& c) {
+    return c.params.value("vector_width", 0u);
 }
 
 bool is_frame(const Case& c) {
@@ -131,7 +136,7 @@ const Case* faithful_to(const Case& c, const std::vector<Case>& cases) {
     const auto is_same = [&](const Case& other) {
         for (const char* key : {"scene", "width", "height", "rays"})
             if (other.params.at(key) != c.params.at(key)) return false;
-        return true;
+        return vector_width(other) == vector_width(c);
     };
     for (const Case& other : cases)
         if (is_frame(other) && text(other, "engine") == "paper_faithful" && is_same(other))
@@ -163,23 +168,26 @@ bool is_refit(const Case& c) {
 }  // namespace
 
 std::vector<Case> summarize(const std::vector<Case>& cases) {
-    std::set<std::tuple<std::string, std::string, bool>> columns;
+    std::set<std::tuple<std::string, std::string, bool, uint32_t>> columns;
     Cases all;
     for (const Case& c : cases) {
-        columns.insert({text(c, "engine"), text(c, "bound"), is_refit(c)});
+        columns.insert({text(c, "engine"), text(c, "bound"), is_refit(c), vector_width(c)});
         all.push_back(&c);
     }
     std::vector<Case> summaries;
     for (const auto& column : columns) {
         const Cases of_column = select(all, [&column](const Case& c) {
-            return column == std::tuple(text(c, "engine"), text(c, "bound"), is_refit(c));
+            return column == std::tuple(text(c, "engine"), text(c, "bound"), is_refit(c),
+                                        vector_width(c));
         });
-        const auto& [engine, bound, refit] = column;
-        Case summary = {fmt::format("frame/summary/engine:{}/bound:{}{}", engine, bound,
-                                    refit ? "/refit" : ""),
+        const auto& [engine, bound, refit, width] = column;
+        Case summary = {fmt::format("frame/summary/engine:{}/bound:{}{}{}", engine, bound,
+                                    refit ? "/refit" : "",
+                                    width > 0 ? fmt::format("/vectors:{}", width) : ""),
                         {{"engine", engine},
                          {"bound", bound},
                          {"refit", refit},
+                         {"vector_width", width},
                          {"cases", of_column.size()}},
                         json::object()};
         put_ratios(summary.metrics, of_column);

@@ -98,6 +98,26 @@ TEST(FrameSummary, KeepsUpdatedFramesApart) {
     EXPECT_EQ(seen, 2u);
 }
 
+TEST(FrameSummary, KeepsWidthsOfVectorsApart) {
+    std::vector<Case> cases;
+    for (const uint32_t width : {8u, 16u})
+        for (Case c : some_cases()) {
+            c.params["vector_width"] = width;
+            c.metrics["ratio_embree"] = c.metrics["ratio_embree"].get<double>() * width;
+            cases.push_back(c);
+        }
+    size_t seen = 0;
+    for (const Case& summary : summarize(cases)) {
+        if (summary.params["engine"] != "tiles") continue;
+        const uint32_t width = summary.params["vector_width"];
+        EXPECT_DOUBLE_EQ(summary.metrics["ratio_embree_300k"], 4.0 * width);
+        EXPECT_NE(summary.name.find("/vectors:" + std::to_string(width)), std::string::npos)
+            << summary.name;
+        ++seen;
+    }
+    EXPECT_EQ(seen, 2u);
+}
+
 TEST(FrameSummary, HasNoRatioToAPeerThatIsNotThere) {
     auto cases = some_cases();
     for (Case& c : cases)

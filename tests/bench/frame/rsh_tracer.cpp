@@ -26,8 +26,9 @@ double end_ms(const cl::Event& event) {
 }  // namespace
 
 std::string Column::name() const {
-    return fmt::format("engine:{}/bound:{}{}", engine_name, bound_name,
-                       is_refit ? "/refit" : "");
+    return fmt::format("engine:{}/bound:{}{}{}", engine_name, bound_name,
+                       is_refit ? "/refit" : "",
+                       vector_width > 0 ? fmt::format("/vectors:{}", vector_width) : "");
 }
 
 RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size size,

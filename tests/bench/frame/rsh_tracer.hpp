@@ -16,8 +16,9 @@ struct Column {
     cl_uint bound = RSH_SHAPE_DEFAULT;
     std::string engine_name, bound_name;
     bool is_refit = false;
+    cl_uint vector_width = 0;  // of the kernels; 0: the library's choice
 
-    std::string name() const;  // "engine:tiles/bound:box", and "/refit"
+    std::string name() const;  // "engine:tiles/bound:box", and "/refit", "/vectors:8"
 };
 
 struct FrameTimes {

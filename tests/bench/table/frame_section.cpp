@@ -24,7 +24,9 @@ std::string row_text(const json& params) {
 
 std::string engine_text(const json& params) {
     return text_of(params, "engine") + '/' + text_of(params, "bound") +
-           (is_true(params, "refit") ? "/refit" : "");
+           (is_true(params, "refit") ? "/refit" : "") +
+           (number_of(params, "vector_width") > 0 ? "/vectors:" + cell(params, "vector_width")
+                                                  : "");
 }
 
 std::string rays_per_second(const json& params, const json& metrics) {
