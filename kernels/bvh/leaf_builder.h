@@ -27,7 +27,7 @@ static void load_triangles(leaf_builder* part, mesh_view mesh, __global const fl
         boxes16 boxes;
         load_corners(mesh, vertices, indices, order, part->next, &corners);
         boxes_of_corners(&corners, &boxes);
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
+        for_each_vector(v) {
 #pragma unroll
             for (uint axis = 0; axis < 3; ++axis) {
                 store_whole(__private, boxes.low[axis][v],
@@ -64,7 +64,7 @@ static bool store_leaf(const leaf_builder* part, uint first, uint length, __glob
 {
     corner_rows corners;
     uintv index[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
 #pragma unroll
         for (uint i = 0; i < 9; ++i)

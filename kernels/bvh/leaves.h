@@ -114,7 +114,7 @@ static void load_corners(mesh_view mesh, __global const float* vertices,
                            corners))
         return;
 #endif
-    for (uint v = 0; v < RSH_VECTORS; ++v)
+    for_each_vector(v)
         load_corners_of(mesh, vertices, indices,
                         triangles_from(mesh, order, first + RSH_WIDTH * v), v, corners);
 }
@@ -139,8 +139,7 @@ static void load_numbered_corners(mesh_view mesh, __global const float* vertices
         return;
     }
 #endif
-    for (uint v = 0; v < RSH_VECTORS; ++v)
-        load_corners_of(mesh, vertices, indices, index[v], v, corners);
+    for_each_vector(v) load_corners_of(mesh, vertices, indices, index[v], v, corners);
 }
 
 /* Boxes of 16 triangles, not padded; empty for those that are never hit. */
@@ -148,7 +147,7 @@ static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
 {
 #pragma unroll
     for (uint axis = 0; axis < 3; ++axis)
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
+        for_each_vector(v) {
             const floatv a = corners->row[0][axis][v], b = corners->row[1][axis][v],
                          c = corners->row[2][axis][v];
             const floatv high = greater(a, greater(b, c));
@@ -162,7 +161,7 @@ static bool store_triangles(const corner_rows* corners, const uintv* index,
                             __global float* leaf)
 {
     uint scaled = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         floatv corner[9];
 #pragma unroll
         for (uint i = 0; i < 9; ++i) corner[i] = corners->row[i / 3][i % 3][v];

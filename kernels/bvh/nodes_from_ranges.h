@@ -20,7 +20,7 @@ typedef struct level_builder {
 static void store_node(const level_builder* level, uint first, uint length,
                        __global float* node)
 {
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const intv is_there = RSH_LANES + (int)(RSH_WIDTH * v) < (intv)((int)length);
 #pragma unroll
         for (uint f = 0; f < 6; ++f)

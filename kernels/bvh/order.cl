@@ -105,7 +105,7 @@ static key_grid grid_of(__global const sample_bounds* samples, uint cell_bits)
 static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* keys)
 {
     const uint large_cells = 1u << (3 * grid.cell_bits - 6);
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         uintv cell[3];
         intv is_large = (intv)(0);
         for (uint axis = 0; axis < 3; ++axis) {

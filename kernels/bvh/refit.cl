@@ -17,7 +17,7 @@ static bool refit_leaf(mesh_view mesh, __global const float* vertices,
 {
     __global const uint* words = (__global const uint*)leaf + RSH_TRIANGLES_AT;
     uintv index[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const uintv word = load_lanes(words + RSH_WIDTH * v);
         index[v] =
             select(RSH_TRIANGLE_INDEX(word), word, as_uintv(word == (uintv)(RSH_NO_HIT)));
@@ -54,7 +54,7 @@ static void refit_node(const bvh_layout* layout, uint number, __global float* bv
     }
     for (uint f = 0; f < 6; ++f) {
         floatv v[RSH_VECTORS];
-        for (uint i = 0; i < RSH_VECTORS; ++i) {
+        for_each_vector(i) {
             v[i] = load_lanes(row[f] + RSH_WIDTH * i);
             store_whole(__global, v[i], node + 16 * f + RSH_WIDTH * i);
         }

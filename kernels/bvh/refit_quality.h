@@ -11,7 +11,7 @@
 static float surface_of_boxes(const boxes16* boxes)
 {
     float total = 0.0f;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         floatv side[3];
         for (uint axis = 0; axis < 3; ++axis)
             side[axis] = boxes->high[axis][v] - boxes->low[axis][v];

@@ -6,6 +6,14 @@
 
 #define RSH_VECTORS (16 / RSH_WIDTH)
 
+/* A loop over them. Left alone, compilers for CPUs unroll it too late to keep arrays of vectors in
+ * registers. */
+#if RSH_WIDTH > 1
+#define for_each_vector(v) _Pragma("unroll") for (uint v = 0; v < RSH_VECTORS; ++v)
+#else
+#define for_each_vector(v) for (uint v = 0; v < RSH_VECTORS; ++v)
+#endif
+
 /* The smaller and the larger of two; the second where the first is NaN. */
 static floatv lesser(floatv a, floatv b) { return select(b, a, a < b); }
 static floatv greater(floatv a, floatv b) { return select(b, a, a > b); }
@@ -24,14 +32,14 @@ static floatv greater(floatv a, floatv b) { return select(b, a, a > b); }
         return of_2.x COMPARE of_2.y ? of_2.x : of_2.y; \
     }
 #else
-#define RSH_ACROSS_LANES(name, COMPARE)                                                 \
-    static float name(const floatv* v)                                                  \
-    {                                                                                   \
-        float lane[16];                                                                 \
-        for (uint i = 0; i < RSH_VECTORS; ++i) store_lanes(v[i], lane + RSH_WIDTH * i); \
-        float best = lane[0];                                                           \
-        for (uint i = 1; i < 16; ++i) best = lane[i] COMPARE best ? lane[i] : best;     \
-        return best;                                                                    \
+#define RSH_ACROSS_LANES(name, COMPARE)                                             \
+    static float name(const floatv* v)                                              \
+    {                                                                               \
+        float lane[16];                                                             \
+        for_each_vector(i) store_lanes(v[i], lane + RSH_WIDTH * i);                 \
+        float best = lane[0];                                                       \
+        for (uint i = 1; i < 16; ++i) best = lane[i] COMPARE best ? lane[i] : best; \
+        return best;                                                                \
     }
 #endif
 RSH_ACROSS_LANES(smallest_lane, <)

@@ -17,7 +17,7 @@ typedef struct boxes16 {
 static void load_boxes(__global const float* node, boxes16* boxes)
 {
     for (uint axis = 0; axis < 3; ++axis)
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
+        for_each_vector(v) {
             boxes->low[axis][v] = load_lanes(node + 16 * axis + RSH_WIDTH * v);
             boxes->high[axis][v] = load_lanes(node + 48 + 16 * axis + RSH_WIDTH * v);
         }

@@ -27,8 +27,7 @@ __kernel void rsh_sort_scan(uint bin_count, __global const sort_plan* sorting,
 static void load_keys(__global const uint* keys, uint count, uint* key)
 {
     if (count == 16)
-        for (uint v = 0; v < RSH_VECTORS; ++v)
-            store_lanes(load_lanes(keys + RSH_WIDTH * v), key + RSH_WIDTH * v);
+        for_each_vector(v) store_lanes(load_lanes(keys + RSH_WIDTH * v), key + RSH_WIDTH * v);
     else
         for (uint k = 0; k < count; ++k) key[k] = keys[k];
 }
@@ -47,7 +46,7 @@ __kernel void rsh_sort_scatter(uint bin_count, __global const sort_plan* sorting
         load_keys(keys + 16 * g, here, key);
         if (here == 16 && are_in_one_bin(key, bin_shift)) {
             __global uint* at = order + first + own[key[0] >> bin_shift];
-            for (uint v = 0; v < RSH_VECTORS; ++v)
+            for_each_vector(v)
                 store_lanes(as_uintv(RSH_LANES) + (16 * g + RSH_WIDTH * v), at + RSH_WIDTH * v);
             own[key[0] >> bin_shift] += 16;
             continue;

@@ -28,7 +28,7 @@ static range16 my_range16(uint count, uint items)
 static bool are_in_one_bin(const uint* key, uint bin_shift)
 {
     uint other = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const uintv bin = load_lanes(key + RSH_WIDTH * v) >> bin_shift;
         other |= RSH_LANE_BITS(bin != (uintv)(key[0] >> bin_shift));
     }
@@ -41,7 +41,7 @@ static void store_keys(const uint* key, uint sixteen, uint count, uint bin_shift
                        __global uint* keys, __global uint* bins)
 {
     if (16 * sixteen + 16 <= count && are_in_one_bin(key, bin_shift)) {
-        for (uint v = 0; v < RSH_VECTORS; ++v)
+        for_each_vector(v)
             store_lanes(load_lanes(key + RSH_WIDTH * v), keys + 16 * sixteen + RSH_WIDTH * v);
         bins[key[0] >> bin_shift] += 16;
         return;

@@ -65,7 +65,7 @@ typedef struct interval_packet {
 static uint boxes_met(const interval_packet* packet, const boxes16* boxes, float* near)
 {
     uint met = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         floatv from = (floatv)(0.0f), to = (floatv)(packet->limit);
         for (uint axis = 0; axis < 3; ++axis) {
             const axis_slab slab = packet->slab[axis];
@@ -102,7 +102,7 @@ static uint packets_meeting(const interval_packet16* nodes, const interval_packe
                             const float* low, const float* high)
 {
     uint met = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         floatv from = (floatv)(0.0f), to = nodes->limit[v];
         for (uint axis = 0; axis < 3; ++axis) {
             const floatv near_origin = nodes->near_origin[axis][v];

@@ -16,16 +16,14 @@
 static float smallest_active(const ray_block* block, const floatv* row)
 {
     floatv v[RSH_VECTORS];
-    for (uint i = 0; i < RSH_VECTORS; ++i)
-        v[i] = select((floatv)(INFINITY), row[i], block->is_active[i]);
+    for_each_vector(i) v[i] = select((floatv)(INFINITY), row[i], block->is_active[i]);
     return smallest_lane(v);
 }
 
 static float largest_active(const ray_block* block, const floatv* row)
 {
     floatv v[RSH_VECTORS];
-    for (uint i = 0; i < RSH_VECTORS; ++i)
-        v[i] = select((floatv)(-INFINITY), row[i], block->is_active[i]);
+    for_each_vector(i) v[i] = select((floatv)(-INFINITY), row[i], block->is_active[i]);
     return largest_lane(v);
 }
 
@@ -39,7 +37,7 @@ static float reach_of(float low, float high) { return fmax(fabs(low), fabs(high)
  * padding has room for. */
 static void reverse_rays(ray_block* block)
 {
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         intv is_bounded = block->row[RSH_TMAX][v] <= (floatv)(1.0f);
         for (uint axis = 0; axis < 3; ++axis) {
             const floatv d = block->row[RSH_DIRECTION + axis][v];
@@ -57,7 +55,7 @@ static void reverse_rays(ray_block* block)
 static bool any_lost(const ray_block* block)
 {
     bool lost = false;
-    for (uint v = 0; v < RSH_VECTORS; ++v)
+    for_each_vector(v)
         lost |= any_lane(block->is_active[v] & (block->row[0][v] != block->row[0][v]));
     return lost;
 }
@@ -128,6 +126,6 @@ __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
     }
     __global float* out = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     for (uint f = 0; f < RSH_NODE_ROWS; ++f)
-        for (uint v = 0; v < RSH_VECTORS; ++v)
+        for_each_vector(v)
             store_lanes(load_lanes(rows.row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);
 }

@@ -32,8 +32,7 @@ static intv are_active(const ray_block* block, uint v)
 static uint active_lanes(const ray_block* block)
 {
     uint bits = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v)
-        bits |= RSH_LANE_BITS(block->is_active[v]) << (RSH_WIDTH * v);
+    for_each_vector(v) bits |= RSH_LANE_BITS(block->is_active[v]) << (RSH_WIDTH * v);
     return bits;
 }
 
@@ -84,8 +83,7 @@ static void load_part_of_block(ray_tile tile, uint b, __global const rsh_ray* ra
         for (uint f = 0; f < RSH_RAY_ROWS; ++f) lane[f][k] = values[f];
     }
     for (uint f = 0; f < RSH_RAY_ROWS; ++f)
-        for (uint v = 0; v < RSH_VECTORS; ++v)
-            block->row[f][v] = load_lanes(lane[f] + RSH_WIDTH * v);
+        for_each_vector(v) block->row[f][v] = load_lanes(lane[f] + RSH_WIDTH * v);
 }
 
 /* Lanes outside of the grid or list are inactive. */
@@ -97,7 +95,7 @@ static void load_block(ray_tile tile, uint b, __global const rsh_ray* rays, ray_
     else
 #endif
         load_part_of_block(tile, b, rays, block);
-    for (uint v = 0; v < RSH_VECTORS; ++v) block->is_active[v] = are_active(block, v);
+    for_each_vector(v) block->is_active[v] = are_active(block, v);
 }
 
 #endif

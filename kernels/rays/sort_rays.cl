@@ -32,7 +32,7 @@ static sample_bounds bounds_of_rays(const ray_block* block, uint first)
     sample_bounds bounds = empty_bounds();
     for (uint axis = 0; axis < 3; ++axis) {
         floatv low[RSH_VECTORS], high[RSH_VECTORS];
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
+        for_each_vector(v) {
             const floatv at = block->row[first + axis][v];
             low[v] = select((floatv)(INFINITY), at, block->is_active[v]);
             high[v] = select((floatv)(-INFINITY), at, block->is_active[v]);
@@ -103,7 +103,7 @@ __kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint width,
 static void keys_of_rays(const ray_block* block, const sample_bounds* whole, uint* keys)
 {
     const float scale = cells_per_length(longest_side(whole), RSH_RAY_BITS);
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         uintv cell[3], octant = (uintv)(0u);
         for (uint axis = 0; axis < 3; ++axis) {
             cell[axis] = cell_of(block->row[axis][v], whole->low[axis], scale, RSH_RAY_BITS);

@@ -30,7 +30,7 @@ typedef struct ray_packet {
 static uint common_axis(const ray_packet* packet, uint active)
 {
     uint is_x = 0, is_y = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         is_x |= RSH_LANE_BITS(packet->ray[v].kz_is_x) << (RSH_WIDTH * v);
         is_y |= RSH_LANE_BITS(packet->ray[v].kz_is_y) << (RSH_WIDTH * v);
     }
@@ -55,7 +55,7 @@ static void load_skip(ray_packet* packet, ray_tile tile, uint b, __global const 
         const uint i = ray_of(tile, b, k);
         lane[k] = i == RSH_NO_RAY ? RSH_NO_HIT : skip[i];
     }
-    for (uint v = 0; v < RSH_VECTORS; ++v) packet->skip[v] = load_lanes(lane + RSH_WIDTH * v);
+    for_each_vector(v) packet->skip[v] = load_lanes(lane + RSH_WIDTH * v);
 }
 
 /* tile, left: live as long as the packet. extent: no triangle is larger. */
@@ -70,7 +70,7 @@ static void load_packet(ray_packet* packet, const ray_tile* tile, uint b,
     load_block(*tile, b, left->rays, &given);
     floatv reach[RSH_VECTORS];
     uint tiny = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const intv is_active = given.is_active[v];
         packet->given_tmax[v] = given.row[RSH_TMAX][v];
         packet->ray[v] = shear_rays(
@@ -102,7 +102,7 @@ static void load_packet(ray_packet* packet, const ray_tile* tile, uint b,
 static float packet_limit(const ray_packet* packet)
 {
     floatv tmax[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) tmax[v] = packet->ray[v].tmax;
+    for_each_vector(v) tmax[v] = packet->ray[v].tmax;
     return largest_lane(tmax) * RSH_RAISED;
 }
 
@@ -112,7 +112,7 @@ static uint rays_meeting(const ray_packet* packet, const int* sign, const float*
                          const float* box_high)
 {
     uint met = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const sheared_rays r = packet->ray[v];
         const floatv origin[3] = {r.origin_x, r.origin_y, r.origin_z};
         floatv from = (floatv)(0.0f), to = r.tmax;
@@ -199,7 +199,7 @@ static intv without_left(const ray_packet* packet, uint v, const float* at, uint
 static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
 {
     bool changed = false;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const sheared_rays r = packet->ray[v];
         ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, triangle->at);
         if (triangle->scale != 1.0f) scale_across(&sheared, (floatv)(triangle->scale));
@@ -282,7 +282,7 @@ static void store_packet_hits(const ray_packet* packet, ray_tile tile, uint b,
     }
 #endif
     float t[16];
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         const intv is_miss = as_intv(packet->primitive[v]) == (intv)((int)RSH_NO_HIT);
         store_lanes(select(packet->ray[v].tmax, packet->given_tmax[v], is_miss),
                     t + RSH_WIDTH * v);
@@ -301,7 +301,7 @@ static void store_packet_occlusion(const ray_packet* packet, ray_tile tile, uint
                                    __global uint* occlusion, uint bit)
 {
     uint hidden = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v)
+    for_each_vector(v)
         hidden |= RSH_LANE_BITS(as_intv(packet->primitive[v]) != (intv)((int)RSH_NO_HIT))
                   << (RSH_WIDTH * v);
     for (; hidden; hidden &= hidden - 1)

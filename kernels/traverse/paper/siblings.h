@@ -13,11 +13,11 @@ typedef struct sibling_nodes {
 
 static void load_siblings(sibling_nodes* nodes, __global const float* group)
 {
-    for (uint v = 0; v < RSH_VECTORS; ++v)
+    for_each_vector(v)
         nodes->packets.limit[v] = load_lanes(group + 192 + RSH_WIDTH * v) * RSH_RAISED;
     for (uint axis = 0; axis < 3; ++axis) {
         __global const float* row = group + 16 * axis;
-        for (uint v = 0; v < RSH_VECTORS; ++v)
+        for_each_vector(v)
             set_packets_axis(&nodes->packets, axis, v, load_lanes(row + RSH_WIDTH * v),
                              load_lanes(row + 48 + RSH_WIDTH * v),
                              load_lanes(row + 96 + RSH_WIDTH * v),

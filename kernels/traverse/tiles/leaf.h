@@ -22,7 +22,7 @@ static void load_leaf(const traversal_state* state, const bvh_child* box, loaded
         reach = fmax(reach, fmax(fabs(box->low[axis]), fabs(box->high[axis])));
     const floatv pad = (floatv)(pad_of(reach));
     for (uint axis = 0; axis < 3; ++axis)
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
+        for_each_vector(v) {
             __global const float* row = leaf->corners + 16 * axis + RSH_WIDTH * v;
             const floatv a = load_lanes(row), b = load_lanes(row + 48),
                          c = load_lanes(row + 96);

@@ -24,20 +24,19 @@ static floatv row_of(const traversal_state* state, uint row, uint v)
 static packet_bounds packet_bounds_of(const traversal_state* state, uint blocks)
 {
     intv is_in[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v)
+    for_each_vector(v)
         is_in[v] = (((intv)((int)(blocks >> RSH_WIDTH * v)) >> RSH_LANES) & 1) != 0;
     packet_bounds bounds;
     floatv of[RSH_VECTORS];
     for (uint axis = 0; axis < 6; ++axis) {
-        for (uint v = 0; v < RSH_VECTORS; ++v)
+        for_each_vector(v)
             of[v] = select((floatv)(INFINITY), row_of(state, low_row(axis), v), is_in[v]);
         bounds.low[axis] = smallest_lane(of);
-        for (uint v = 0; v < RSH_VECTORS; ++v)
+        for_each_vector(v)
             of[v] = select((floatv)(-INFINITY), row_of(state, high_row(axis), v), is_in[v]);
         bounds.high[axis] = largest_lane(of);
     }
-    for (uint v = 0; v < RSH_VECTORS; ++v)
-        of[v] = select((floatv)(-1.0f), row_of(state, 12, v), is_in[v]);
+    for_each_vector(v) of[v] = select((floatv)(-1.0f), row_of(state, 12, v), is_in[v]);
     bounds.tmax = largest_lane(of);
     return bounds;
 }
@@ -66,7 +65,7 @@ static float cost_of(const traversal_state* state, const packet_bounds* bounds)
 /* The cost of each block on its own. */
 static void costs_of_blocks(const traversal_state* state, float* cost)
 {
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         floatv longest = (floatv)(0.0f), side[3];
         for (uint axis = 3; axis < 6; ++axis)
             longest = greater(fabs(row_of(state, low_row(axis), v)),

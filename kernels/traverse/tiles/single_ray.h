@@ -73,7 +73,7 @@ static void store_single_ray(const single_ray* ray, ray_packet* packet, uint k)
 static uint boxes_met_by_ray(const single_ray* ray, __global const float* node, float* near)
 {
     uint met = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         floatv from = (floatv)(0.0f), to = (floatv)(ray->tmax);
         for (uint axis = 0; axis < 3; ++axis) {
             const floatv low = load_lanes(node + ray->near_row[axis] + RSH_WIDTH * v);
@@ -140,7 +140,7 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
 {
     __global const uint* triangles = (__global const uint*)leaf + RSH_TRIANGLES_AT;
     bool changed = false;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         ray_space_corners sheared = leaf_to_ray_space(ray, leaf, v);
         if (is_scaled) scale_across(&sheared, scales_of(leaf, v));
         sheared_rays r;

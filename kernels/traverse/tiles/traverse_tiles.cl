@@ -43,7 +43,7 @@ static tile_packet tile_packet_of(const traversal_state* state, uint blocks,
 static void lower_limit(const traversal_state* state, tile_packet* packet)
 {
     floatv limit[RSH_VECTORS];
-    for (uint v = 0; v < RSH_VECTORS; ++v) limit[v] = state->blocks.limit[v];
+    for_each_vector(v) limit[v] = state->blocks.limit[v];
     for (uint b = 0; b < 16; ++b)
         if (!(packet->blocks >> b & 1)) ((float*)limit)[b] = -1.0f;
     packet->intervals.limit = largest_lane(limit);
@@ -142,7 +142,7 @@ static void traverse_tile(traversal_state* state, uint active)
 static uint begin_tile(traversal_state* state)
 {
     uint active = 0;
-    for (uint v = 0; v < RSH_VECTORS; ++v) {
+    for_each_vector(v) {
         state->blocks.limit[v] =
             load_lanes(state->nodes + 16 * 12 + RSH_WIDTH * v) * RSH_RAISED;
         active |= RSH_LANE_BITS(state->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
@@ -152,7 +152,7 @@ static uint begin_tile(traversal_state* state)
     state->loaded = state->stack_size = 0;
     if (!active) return 0;
     for (uint axis = 0; axis < 3; ++axis)
-        for (uint v = 0; v < RSH_VECTORS; ++v) {
+        for_each_vector(v) {
             floatv row[4];
             for (uint f = 0; f < 4; ++f)
                 row[f] = load_lanes(state->nodes + 16 * (3 * f + axis) + RSH_WIDTH * v);
