@@ -2,7 +2,6 @@
 #ifndef RSH_RAYS_RAY_BLOCK_H
 #define RSH_RAYS_RAY_BLOCK_H
 
-#include "lanes/rows.h"
 #include "lanes/sixteen.h"
 #include "mesh/triangles.h"
 #include "rays/tile_layout.h"
@@ -36,37 +35,25 @@ static uint active_lanes(const ray_block* block)
     return bits;
 }
 
-#if RSH_WIDTH == 16
-/* Four times four rays in a row, two in each of pair[0 .. 7], to eight rows of 16. Each step
- * halves the components that a vector holds: 0 2 4 6 and 1 3 5 7; then 0 4, 2 6, 1 5, 3 7. */
-static void transpose_rays(const float16* pair, ray_block* block)
-{
-    float16 four[2][4], two[4][2];
-    for (uint i = 0; i < 4; ++i) {
-        four[0][i] = RSH_EVEN(pair[2 * i], pair[2 * i + 1]);
-        four[1][i] = RSH_ODD(pair[2 * i], pair[2 * i + 1]);
-    }
-    for (uint i = 0; i < 2; ++i)
-        for (uint odd = 0; odd < 2; ++odd) {
-            two[odd][i] = RSH_EVEN(four[odd][2 * i], four[odd][2 * i + 1]);
-            two[odd + 2][i] = RSH_ODD(four[odd][2 * i], four[odd][2 * i + 1]);
-        }
-    for (uint c = 0; c < 4; ++c) {
-        block->row[c][0] = RSH_EVEN(two[c][0], two[c][1]);
-        block->row[c + 4][0] = RSH_ODD(two[c][0], two[c][1]);
-    }
-}
-
+#if RSH_WIDTH > 1
+/* Four times four rays in a row. */
 static void load_whole_block(ray_tile tile, uint b, __global const rsh_ray* rays,
                              ray_block* block)
 {
-    float16 pair[8];
-    for (uint r = 0; r < 4; ++r) {
-        __global const float* four = (__global const float*)(rays + ray_of(tile, b, 4 * r));
-        pair[2 * r] = vload16(0, four);
-        pair[2 * r + 1] = vload16(1, four);
+    __global const float* four[4];
+    for (uint r = 0; r < 4; ++r)
+        four[r] = (__global const float*)(rays + ray_of(tile, b, 4 * r));
+#pragma unroll
+    for (uint end = 0; end < 2; ++end) { /* of a ray: its origin, its direction */
+        float16 row[4];
+#pragma unroll
+        for (uint i = 0; i < 4; ++i)
+            row[i] = (float16)(vload4(2 * i + end, four[0]), vload4(2 * i + end, four[1]),
+                               vload4(2 * i + end, four[2]), vload4(2 * i + end, four[3]));
+        transpose_fours(row);
+#pragma unroll
+        for (uint i = 0; i < 4; ++i) take_apart(row[i], block->row[RSH_DIRECTION * end + i]);
     }
-    transpose_rays(pair, block);
 }
 #endif
 
@@ -89,7 +76,7 @@ static void load_part_of_block(ray_tile tile, uint b, __global const rsh_ray* ra
 /* Lanes outside of the grid or list are inactive. */
 static void load_block(ray_tile tile, uint b, __global const rsh_ray* rays, ray_block* block)
 {
-#if RSH_WIDTH == 16
+#if RSH_WIDTH > 1
     if (is_whole(tile, b))
         load_whole_block(tile, b, rays, block);
     else

@@ -41,12 +41,13 @@ static uint common_axis(const ray_packet* packet, uint active)
 
 static void load_skip(ray_packet* packet, ray_tile tile, uint b, __global const uint* skip)
 {
-#if RSH_WIDTH == 16
+#if RSH_WIDTH > 1
     if (is_whole(tile, b)) {
-        packet->skip[0] =
+        take_uints_apart(
             (uint16)(vload4(0, skip + ray_of(tile, b, 0)), vload4(0, skip + ray_of(tile, b, 4)),
                      vload4(0, skip + ray_of(tile, b, 8)),
-                     vload4(0, skip + ray_of(tile, b, 12)));
+                     vload4(0, skip + ray_of(tile, b, 12))),
+            packet->skip);
         return;
     }
 #endif
@@ -246,54 +247,43 @@ static void store_misses(ray_tile tile, uint b, __global const rsh_ray* rays,
     }
 }
 
-#if RSH_WIDTH == 16
-static float16 interleave(float8 a, float8 b)
+#if RSH_WIDTH > 1
+/* row: t u v primitive of sixteen rays, four of which lie in a row. */
+static void store_whole_packet(float16* row, ray_tile tile, uint b, __global rsh_hit* hits)
 {
-    float16 both;
-    both.even = a;
-    both.odd = b;
-    return both;
-}
-
-/* t u v primitive of sixteen rays, ray by ray; four of them lie in a row. */
-static void store_whole_packet(float16 t, float16 u, float16 v, float16 primitive,
-                               ray_tile tile, uint b, __global rsh_hit* hits)
-{
-    const float16 tv[2] = {interleave(t.lo, v.lo), interleave(t.hi, v.hi)};
-    const float16 up[2] = {interleave(u.lo, primitive.lo), interleave(u.hi, primitive.hi)};
-    for (uint r = 0; r < 4; ++r) {
-        const float16 x = tv[r / 2], y = up[r / 2];
-        vstore16(r % 2 ? interleave(x.hi, y.hi) : interleave(x.lo, y.lo), 0,
-                 (__global float*)(hits + ray_of(tile, b, 4 * r)));
-    }
+    transpose_fours(row);
+    const float16 four[4] = {(float16)(row[0].s0123, row[1].s0123, row[2].s0123, row[3].s0123),
+                             (float16)(row[0].s4567, row[1].s4567, row[2].s4567, row[3].s4567),
+                             (float16)(row[0].s89ab, row[1].s89ab, row[2].s89ab, row[3].s89ab),
+                             (float16)(row[0].scdef, row[1].scdef, row[2].scdef, row[3].scdef)};
+    for (uint r = 0; r < 4; ++r)
+        vstore16(four[r], 0, (__global float*)(hits + ray_of(tile, b, 4 * r)));
 }
 #endif
 
 static void store_packet_hits(const ray_packet* packet, ray_tile tile, uint b,
                               __global rsh_hit* hits)
 {
-#if RSH_WIDTH == 16
+    floatv t[RSH_VECTORS];
+    for_each_vector(v) {
+        const intv is_miss = as_intv(packet->primitive[v]) == (intv)((int)RSH_NO_HIT);
+        t[v] = select(packet->ray[v].tmax, packet->given_tmax[v], is_miss);
+    }
+#if RSH_WIDTH > 1
     if (is_whole(tile, b)) {
-        const intv is_miss = as_intv(packet->primitive[0]) == (intv)((int)RSH_NO_HIT);
-        store_whole_packet(select(packet->ray[0].tmax, packet->given_tmax[0], is_miss),
-                           packet->u[0], packet->v[0], as_floatv(packet->primitive[0]), tile, b,
-                           hits);
+        float16 row[4] = {joined(t), joined(packet->u), joined(packet->v),
+                          as_float16(joined_uints(packet->primitive))};
+        store_whole_packet(row, tile, b, hits);
         return;
     }
 #endif
-    float t[16];
-    for_each_vector(v) {
-        const intv is_miss = as_intv(packet->primitive[v]) == (intv)((int)RSH_NO_HIT);
-        store_lanes(select(packet->ray[v].tmax, packet->given_tmax[v], is_miss),
-                    t + RSH_WIDTH * v);
-    }
     for (uint k = 0; k < 16; ++k) {
         const uint i = ray_of(tile, b, k);
         if (i == RSH_NO_RAY) continue;
         const uint primitive = ((const uint*)packet->primitive)[k];
-        vstore4(
-            (float4)(t[k], lane_of(packet->u, k), lane_of(packet->v, k), as_float(primitive)),
-            0, (__global float*)(hits + i));
+        vstore4((float4)(lane_of(t, k), lane_of(packet->u, k), lane_of(packet->v, k),
+                         as_float(primitive)),
+                0, (__global float*)(hits + i));
     }
 }
 
