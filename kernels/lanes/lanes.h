@@ -64,12 +64,6 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
 /* RSH_LANE_BITS: bit i is lane i of a mask. A CPU does it in one instruction, plain OpenCL C in
  * a tree of them; clang, and so PoCL, lets kernels name the instructions of their target. */
 #ifdef __has_builtin
-#if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_gathersiv16sf) && defined(__AVX512F__)
-/* Where it is defined: the words base[at], a lane each. */
-#define RSH_GATHER(base, at)                                                                \
-    __builtin_ia32_gathersiv16sf((float16)(0.0f), (const void*)(ulong)(base), as_int16(at), \
-                                 0xffff, 4)
-#endif
 #if RSH_WIDTH > 1 && __has_builtin(__builtin_prefetch)
 /* Asks for a cache line that will be written, or read. */
 #define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
