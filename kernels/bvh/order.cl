@@ -105,19 +105,25 @@ static key_grid grid_of(__global const sample_bounds* samples, uint cell_bits)
 static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* keys)
 {
     const uint large_cells = 1u << (3 * grid.cell_bits - 6);
-    for_each_vector(v) {
-        uintv cell[3];
-        intv is_large = (intv)(0);
-        for (uint axis = 0; axis < 3; ++axis) {
-            const floatv low = boxes->low[axis][v], high = boxes->high[axis][v];
-            cell[axis] =
-                cell_of(0.5f * low + 0.5f * high, grid.low[axis], grid.scale, grid.bits);
-            is_large |= high - low > (floatv)(grid.large);
+    for (uint first = 0; first < RSH_VECTORS; first += RSH_ABREAST) {
+        uintv cell[3][RSH_ABREAST], place[RSH_ABREAST];
+        intv is_large[RSH_ABREAST];
+        for_each_abreast(v) {
+            is_large[v] = (intv)(0);
+            for (uint axis = 0; axis < 3; ++axis) {
+                const floatv low = boxes->low[axis][first + v];
+                const floatv high = boxes->high[axis][first + v];
+                cell[axis][v] =
+                    cell_of(0.5f * low + 0.5f * high, grid.low[axis], grid.scale, grid.bits);
+                is_large[v] |= high - low > (floatv)(grid.large);
+            }
         }
-        const uintv place = hilbert_place(cell, grid.bits);
-        store_lanes(
-            select(place + (large_cells << grid.bin_shift), place >> 6, as_uintv(is_large)),
-            keys + RSH_WIDTH * v);
+        hilbert_places(cell[0], cell[1], cell[2], grid.bits, place);
+        for_each_abreast(v) {
+            const uintv small = place[v] + (large_cells << grid.bin_shift);
+            store_lanes(select(small, place[v] >> 6, as_uintv(is_large[v])),
+                        keys + RSH_WIDTH * (first + v));
+        }
     }
 }
 

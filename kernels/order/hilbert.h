@@ -7,7 +7,11 @@
 #ifndef RSH_ORDER_HILBERT_H
 #define RSH_ORDER_HILBERT_H
 
-#include "lanes/lanes.h"
+#include "lanes/sixteen.h"
+
+/* Vectors of points that take each step together, as the next step waits for it. */
+#define RSH_ABREAST (RSH_WIDTH > 1 ? RSH_VECTORS : 1)
+#define for_each_abreast(v) _Pragma("unroll") for (uint v = 0; v < RSH_ABREAST; ++v)
 
 /* Spreads the lower 7 bits: bit i goes to bit 3 i. */
 static uintv spread_bits(uintv x)
@@ -30,21 +34,28 @@ static void turn(uintv* x, uintv* b, uint bit)
     *b ^= swapped;
 }
 
-/* cell: x, y, z, each below 2^bits; bits is 7 at most. */
-static uintv hilbert_place(const uintv cell[3], uint bits)
+/* x, y, z of cells: each below 2^bits; bits is 7 at most. They are changed on the way. */
+static void hilbert_places(uintv* x, uintv* y, uintv* z, uint bits, uintv* place)
 {
-    uintv x = cell[0], y = cell[1], z = cell[2];
     for (uint bit = bits - 1; bit > 0; --bit) {
         const uint lower_bits = (1u << bit) - 1;
-        x ^= mask_of(x, bit) & lower_bits;
-        turn(&x, &y, bit);
-        turn(&x, &z, bit);
+        for_each_abreast(v) {
+            x[v] ^= mask_of(x[v], bit) & lower_bits;
+            turn(x + v, y + v, bit);
+            turn(x + v, z + v, bit);
+        }
     }
-    y ^= x;
-    z ^= y;
-    uintv flip = (uintv)(0u);
-    for (uint bit = bits - 1; bit > 0; --bit) flip ^= mask_of(z, bit) & ((1u << bit) - 1);
-    return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
+    uintv flip[RSH_ABREAST];
+    for_each_abreast(v) {
+        y[v] ^= x[v];
+        z[v] ^= y[v];
+        flip[v] = (uintv)(0u);
+    }
+    for (uint bit = bits - 1; bit > 0; --bit)
+        for_each_abreast(v) flip[v] ^= mask_of(z[v], bit) & ((1u << bit) - 1);
+    for_each_abreast(v)
+        place[v] = spread_bits(x[v] ^ flip[v]) << 2 | spread_bits(y[v] ^ flip[v]) << 1 |
+                   spread_bits(z[v] ^ flip[v]);
 }
 
 #endif

@@ -103,17 +103,25 @@ __kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint width,
 static void keys_of_rays(const ray_block* block, const sample_bounds* whole, uint* keys)
 {
     const float scale = cells_per_length(longest_side(whole), RSH_RAY_BITS);
-    for_each_vector(v) {
-        uintv cell[3], octant = (uintv)(0u);
-        for (uint axis = 0; axis < 3; ++axis) {
-            cell[axis] = cell_of(block->row[axis][v], whole->low[axis], scale, RSH_RAY_BITS);
-            octant |= select((uintv)(0u), (uintv)(1u << axis),
-                             as_uintv(block->row[RSH_DIRECTION + axis][v] < (floatv)(0.0f)));
+    for (uint first = 0; first < RSH_VECTORS; first += RSH_ABREAST) {
+        uintv cell[3][RSH_ABREAST], octant[RSH_ABREAST], place[RSH_ABREAST];
+        for_each_abreast(v) {
+            octant[v] = (uintv)(0u);
+            for (uint axis = 0; axis < 3; ++axis) {
+                const floatv d = block->row[RSH_DIRECTION + axis][first + v];
+                cell[axis][v] =
+                    cell_of(block->row[axis][first + v], whole->low[axis], scale, RSH_RAY_BITS);
+                octant[v] |=
+                    select((uintv)(0u), (uintv)(1u << axis), as_uintv(d < (floatv)(0.0f)));
+            }
         }
-        const uintv key = octant << (3 * RSH_RAY_BITS) | hilbert_place(cell, RSH_RAY_BITS);
-        store_lanes(
-            select((uintv)(8u << (3 * RSH_RAY_BITS)), key, as_uintv(block->is_active[v])),
-            keys + RSH_WIDTH * v);
+        hilbert_places(cell[0], cell[1], cell[2], RSH_RAY_BITS, place);
+        for_each_abreast(v) {
+            const uintv key = octant[v] << (3 * RSH_RAY_BITS) | place[v];
+            store_lanes(select((uintv)(8u << (3 * RSH_RAY_BITS)), key,
+                               as_uintv(block->is_active[first + v])),
+                        keys + RSH_WIDTH * (first + v));
+        }
     }
 }
 
