@@ -5,54 +5,47 @@
 #ifndef RSH_LANES_ROWS_H
 #define RSH_LANES_ROWS_H
 
-#include "lanes/lanes.h"
+#include "lanes/sixteen.h"
 
 #if RSH_WIDTH > 1
-/* Every other element of two vectors, and two vectors from these. */
-#define RSH_EVEN(a, b) ((floatv)((a).even, (b).even))
-#define RSH_ODD(a, b) ((floatv)((a).odd, (b).odd))
-
-/* Four vectors, of points with four components one after another, to a row for each component:
- * each step halves the components that a vector holds. */
-static void points_to_rows(const floatv* points, floatv* row)
-{
-    for (uint c = 0; c < 2; ++c) {
-        const floatv a = c ? RSH_ODD(points[0], points[1]) : RSH_EVEN(points[0], points[1]);
-        const floatv b = c ? RSH_ODD(points[2], points[3]) : RSH_EVEN(points[2], points[3]);
-        row[c] = RSH_EVEN(a, b);
-        row[c + 2] = RSH_ODD(a, b);
-    }
-}
-
-static floatv side_by_side(floatv even, floatv odd, bool is_upper)
-{
-    floatv both;
-    both.even = is_upper ? even.hi : even.lo;
-    both.odd = is_upper ? odd.hi : odd.lo;
-    return both;
-}
-
-static void rows_to_points(const floatv* row, floatv* points)
-{
-    for (uint i = 0; i < 2; ++i) {
-        const floatv a = side_by_side(row[0], row[2], i), b = side_by_side(row[1], row[3], i);
-        points[2 * i] = side_by_side(a, b, false);
-        points[2 * i + 1] = side_by_side(a, b, true);
-    }
-}
-
+/* Of each four of a and b the lower two in turn, and the upper two: an instruction. RSH_FOURS: points
+ * k, k + 4 and so on side by side; RSH_STORE_FOURS: takes them apart. */
 #if RSH_WIDTH == 16
-#define RSH_POINTS(at, k) ((floatv)(at(k), at((k) + 1), at((k) + 2), at((k) + 3)))
-#define RSH_STORE_POINTS(store, v, k)                                       \
-    store((v).lo.lo, k) store((v).lo.hi, (k) + 1) store((v).hi.lo, (k) + 2) \
-        store((v).hi.hi, (k) + 3)
+#define RSH_FOURS(at, k) ((floatv)(at(k), at((k) + 4), at((k) + 8), at((k) + 12)))
+#define RSH_STORE_FOURS(store, v, k)                                        \
+    store((v).lo.lo, k) store((v).lo.hi, (k) + 4) store((v).hi.lo, (k) + 8) \
+        store((v).hi.hi, (k) + 12)
+static floatv lower_lanes(floatv a, floatv b) { return lower_in_turn(a, b); }
+static floatv upper_lanes(floatv a, floatv b) { return upper_in_turn(a, b); }
 #elif RSH_WIDTH == 8
-#define RSH_POINTS(at, k) ((floatv)(at(k), at((k) + 1)))
-#define RSH_STORE_POINTS(store, v, k) store((v).lo, k) store((v).hi, (k) + 1)
+#define RSH_FOURS(at, k) ((floatv)(at(k), at((k) + 4)))
+#define RSH_STORE_FOURS(store, v, k) store((v).lo, k) store((v).hi, (k) + 4)
+static floatv lower_lanes(floatv a, floatv b)
+{
+    return (floatv)(a.s0, b.s0, a.s1, b.s1, a.s4, b.s4, a.s5, b.s5);
+}
+static floatv upper_lanes(floatv a, floatv b)
+{
+    return (floatv)(a.s2, b.s2, a.s3, b.s3, a.s6, b.s6, a.s7, b.s7);
+}
 #else
-#define RSH_POINTS(at, k) (at(k))
-#define RSH_STORE_POINTS(store, v, k) store(v, k)
+#define RSH_FOURS(at, k) (at(k))
+#define RSH_STORE_FOURS(store, v, k) store(v, k)
+static floatv lower_lanes(floatv a, floatv b) { return (floatv)(a.s0, b.s0, a.s1, b.s1); }
+static floatv upper_lanes(floatv a, floatv b) { return (floatv)(a.s2, b.s2, a.s3, b.s3); }
 #endif
+
+/* Four vectors of RSH_FOURS, k from 0 to 3, to a row for each component of the points; done twice, all
+ * is as it was. */
+static void transpose_rows(floatv* row)
+{
+    const floatv a = lower_lanes(row[0], row[2]), b = lower_lanes(row[1], row[3]);
+    const floatv c = upper_lanes(row[0], row[2]), d = upper_lanes(row[1], row[3]);
+    row[0] = lower_lanes(a, b);
+    row[1] = upper_lanes(a, b);
+    row[2] = lower_lanes(c, d);
+    row[3] = upper_lanes(c, d);
+}
 #endif
 
 /* Four floats of each lane, from base[stride * index] on: row[0 .. 3]. */
@@ -63,9 +56,11 @@ static void load_rows4(__global const float* base, uint stride, const uint* inde
     const float4 point = RSH_AT(0);
     row[0] = point.x, row[1] = point.y, row[2] = point.z, row[3] = point.w;
 #else
-    floatv points[4];
-    for (uint i = 0; i < 4; ++i) points[i] = RSH_POINTS(RSH_AT, RSH_WIDTH / 4 * i);
-    points_to_rows(points, row);
+    row[0] = RSH_FOURS(RSH_AT, 0);
+    row[1] = RSH_FOURS(RSH_AT, 1);
+    row[2] = RSH_FOURS(RSH_AT, 2);
+    row[3] = RSH_FOURS(RSH_AT, 3);
+    transpose_rows(row);
 #endif
 #undef RSH_AT
 }
@@ -78,10 +73,10 @@ static void load_rows3(__global const float* base, uint stride, const uint* inde
     const float4 point = RSH_AT(0);
     row[0] = point.x, row[1] = point.y, row[2] = point.z;
 #else
-    floatv points[4], all[4];
-    for (uint i = 0; i < 4; ++i) points[i] = RSH_POINTS(RSH_AT, RSH_WIDTH / 4 * i);
-    points_to_rows(points, all);
-    for (uint c = 0; c < 3; ++c) row[c] = all[c];
+    floatv all[4] = {RSH_FOURS(RSH_AT, 0), RSH_FOURS(RSH_AT, 1), RSH_FOURS(RSH_AT, 2),
+                     RSH_FOURS(RSH_AT, 3)};
+    transpose_rows(all);
+    row[0] = all[0], row[1] = all[1], row[2] = all[2];
 #endif
 #undef RSH_AT
 }
@@ -95,14 +90,21 @@ static void store_rows4(const floatv* row, uint bits, __global float* base, uint
 #if RSH_WIDTH == 1
     RSH_STORE((float4)(row[0], row[1], row[2], row[3]), 0)
 #else
-    floatv points[4];
-    rows_to_points(row, points);
-    RSH_STORE_POINTS(RSH_STORE, points[0], 0)
-    RSH_STORE_POINTS(RSH_STORE, points[1], RSH_WIDTH / 4)
-    RSH_STORE_POINTS(RSH_STORE, points[2], RSH_WIDTH / 2)
-    RSH_STORE_POINTS(RSH_STORE, points[3], 3 * RSH_WIDTH / 4)
+    floatv points[4] = {row[0], row[1], row[2], row[3]};
+    transpose_rows(points);
+    RSH_STORE_FOURS(RSH_STORE, points[0], 0)
+    RSH_STORE_FOURS(RSH_STORE, points[1], 1)
+    RSH_STORE_FOURS(RSH_STORE, points[2], 2)
+    RSH_STORE_FOURS(RSH_STORE, points[3], 3)
 #endif
 #undef RSH_STORE
+}
+
+/* Asks for the cache lines that a block's lanes, side by side from `index` on, will write. */
+static void expect_rows(__global const float* base, uint stride, uint index)
+{
+    for (uint word = 0; RSH_WIDTH > 1 && word < RSH_WIDTH * stride; word += 16)
+        RSH_EXPECT_STORE(base + (ulong)stride * index + word);
 }
 
 #endif

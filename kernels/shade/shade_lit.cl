@@ -48,6 +48,10 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
         seen_light seen;
         sent_rays sent;
         number_lanes(i, mine.end, index);
+        expect_rows((__global const float*)spawned_rays, 8, i);
+        expect_rows((__global const float*)spawned_skip, 1, i);
+        expect_rows((__global const float*)light_colour, 4, i);
+        if (is_base) expect_rows((__global const float*)colour, 4, i);
         find_seen(&buffers, &look, index, rays, hits, &block);
         const float3v weight = load_weights(index, weights);
         seen.bits = sent.bits = 0;
