@@ -27,13 +27,32 @@ static strided_range my_elements(uint count)
     return my_range(count);
 }
 
+/* Of `count` elements, where the share of a work-item begins, if each has the same: on CPUs,
+ * neighbouring work-items often share a core, and of a launch for more than there are, each core shall
+ * have its part. */
+static uint share_begin(uint count, ulong item)
+{
+    return (uint)(item * count / get_global_size(0));
+}
+
+/* Of `count` elements, no more than there are work-items, that of this one; `count`: none. */
+static uint my_element(uint count)
+{
+    const ulong me = get_global_id(0);
+    if (RSH_WIDTH == 1) return (uint)min(me, (ulong)count);
+    const uint begin = share_begin(count, me);
+    return begin < share_begin(count, me + 1) ? begin : count;
+}
+
 /* Of `count` elements, those of this work-item, in any order, in blocks of RSH_WIDTH: all of them full
- * but the last one, however many work-items there are. */
+ * but the last one. */
 static strided_range my_blocks(uint count)
 {
     if (RSH_WIDTH == 1) return my_elements(count);
-    const strided_range mine = my_range((count + RSH_WIDTH - 1) / RSH_WIDTH);
-    return (strided_range){RSH_WIDTH * mine.begin, min(RSH_WIDTH * mine.end, count), 1};
+    const uint blocks = (count + RSH_WIDTH - 1) / RSH_WIDTH;
+    const ulong me = get_global_id(0);
+    return (strided_range){RSH_WIDTH * share_begin(blocks, me),
+                           min(RSH_WIDTH * share_begin(blocks, me + 1), count), 1};
 }
 
 #endif

@@ -7,6 +7,7 @@
  * A work-item reads the 256 rays of a tile once and writes its 16 blocks. Does not test
  * anything against the scene.
  */
+#include "lanes/stride.h"
 #include "order/types.h"
 #include "rays/box_node.h"
 #include "rays/levels.h"
@@ -105,13 +106,13 @@ __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
                               __global const sort_plan* sorting, uint order_at,
                               __global float* nodes)
 {
-    const uint me = get_global_id(0);
     const ray_levels levels = counted_levels(shape, list_count);
     const bool is_sorted = sorting && sorting->is_needed;
-    if (me == 0)
+    if (get_global_id(0) == 0)
         write_nodes_head(shape, levels.width[0], RSH_BOXES_MADE, is_sorted ? order_at : 0,
                          nodes);
-    if (me >= tile_count(levels)) return; /* the launch is for all places */
+    const uint me = my_element(tile_count(levels));
+    if (me == tile_count(levels)) return; /* the launch is for all places */
     const ray_tile tile =
         tile_at(levels, is_sorted ? (__global const uint*)nodes + order_at : 0, me);
     node_rows rows;

@@ -7,6 +7,7 @@
  *   occlusion          in/out  any: a bit per ray
  * A work-item owns the rays that it writes, and launches follow each other: no atomics.
  */
+#include "lanes/stride.h"
 #include "bvh/layout.h"
 #include "rays/nodes_head.h"
 #include "traverse/count.h"
@@ -24,9 +25,9 @@ __kernel void rsh_intersect_ranges(ray_levels shape, __global const uint* list_c
                                    __global const uint2* ranges, __global rsh_hit* hits,
                                    __global uint* occlusion, uint occlusion_bit)
 {
-    const uint me = get_global_id(0);
     const ray_levels levels = counted_levels(shape, list_count);
-    if (me >= tile_count(levels)) return;
+    const uint me = my_element(tile_count(levels));
+    if (me == tile_count(levels)) return;
     const range_target target = {
         {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
     const ray_tile tile = tile_at(levels, order_in(nodes), me);
@@ -77,9 +78,9 @@ __kernel void rsh_intersect_ranges_finish(
     __global const uint* triangles, __global const uint2* ranges, __global const uint* sums,
     __global rsh_hit* hits, __global uint* occlusion, uint occlusion_bit, __global uint* tally)
 {
-    const uint me = get_global_id(0);
     const ray_levels levels = counted_levels(shape, list_count);
-    if (me >= tile_count(levels)) return;
+    const uint me = my_element(tile_count(levels));
+    if (me == tile_count(levels)) return;
     const range_step step = counted_step(given, &levels, list_count);
     const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;

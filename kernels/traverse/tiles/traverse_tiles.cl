@@ -12,6 +12,7 @@
  * Each decision below only chooses between orders of the same tests, or leaves out tests that
  * cannot succeed. A work-item needs no memory but its stack, whose size is known.
  */
+#include "lanes/stride.h"
 #include "rays/levels.h"
 #include "rays/nodes_head.h"
 #include "traverse/count.h"
@@ -203,9 +204,9 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
                                  __global uint* occlusion, uint occlusion_bit, uint is_counting,
                                  __global uint* counts, volatile __global uint* wrong)
 {
-    const uint me = get_global_id(0);
     const ray_levels levels = counted_levels(shape, list_count);
-    if (me >= tile_count(levels)) return; /* the launch is for all places */
+    const uint me = my_element(tile_count(levels));
+    if (me == tile_count(levels)) return; /* the launch is for all places */
     bvh_view scene;
     scene.layout = layout;
     scene.words = bvh;
