@@ -41,7 +41,7 @@
  *              nodes were made for another shape, another number of triangles, a screen or list
  *              of another size, or not at all, the traversal finds no hits, touches nothing else,
  *              and leaves a mark that rsh_device_status and rsh_get_statistics report; rsh_frame
- *              returns RSH_INVALID_VALUE where it waits, once per bounce. That vertices or rays
+ *              returns RSH_INVALID_VALUE where it waits, once per strip. That vertices or rays
  *              have other values by now, or that the caller wrote into bounds or nodes, is not
  *              found out.
  *   Overlap    Memory that a call writes (outputs, scratch) must not overlap other memory that
@@ -684,8 +684,9 @@ typedef struct rsh_shade_desc {
 
 /* Adds weight * (emission + ambient + light that arrives directly) of each active ray's hit,
  * see rsh_material, or weight * environment where it hits nothing, to its colour; adds nothing
- * for inactive rays. What mirrored and refracted rays see is added by shading those. One
- * launch. */
+ * for inactive rays. What mirrored and refracted rays see is added by shading those. The light of
+ * lamps that cast no shadow (rsh_scene, shadow_lights) is summed up with emission and ambient, that
+ * of each other one is added behind. One launch. */
 RSH_API rsh_status rsh_shade(rsh_context context, cl_command_queue queue,
                              const rsh_shade_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
@@ -734,12 +735,13 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
  * bounces and S lights that cast shadows a frame traverses S + B (1 + S) times at most. A pixel is
  * the sum of what its ray sees itself, then of what its reflection sees, then its refraction.
  * Memory: the picture is worked off in strips of whole rows, as many as fit into the budget: 48
- * bytes per pixel for the camera's rays, 36 for shadows, 88 per bounce, and the hierarchies. A wave
+ * bytes per pixel for the camera's rays, 52 for shadows, 88 per bounce, and the hierarchies. A wave
  * has room for a strip's number of rays. One that would hold more is taken in parts, one after the
  * other with all that comes of it. The picture's bits do not depend on any of that.
- * BLOCKS once per bounce and strip, and per part of a wave, to read how many rays the next one
- * holds: none end the strip. Where there can be such waves, it first flushes `queue` and BLOCKS
- * for the wait list, and enqueues nothing when an event of it fails. */
+ * BLOCKS once per strip where there can be waves after the first one, and per part of a wave, to
+ * read how many rays they held: all have been enqueued by then, also those that turn out to be
+ * empty. Before it enqueues such waves, it flushes `queue` and BLOCKS for the wait list, and
+ * enqueues nothing when an event of it fails. */
 RSH_API rsh_status rsh_frame(rsh_context context, cl_command_queue queue,
                              const rsh_frame_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);

@@ -360,6 +360,11 @@ TEST_F(Misuse, OfSpawnAndShadeIsRefused) {
                    {"rays", "2048", "8589934592"});
     refuses<Shade>(shade, [&](Shade& d) { d.occlusion = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                    {"occlusion", "4", "256"});
+    const cl::Buffer half(test::device().context, CL_MEM_READ_WRITE, 2);
+    refuses<Spawn>(spawn, [&](Spawn& d) { d.list_count = half(); }, RSH_BUFFER_TOO_SMALL,
+                   {"list_count", "2 bytes", "4"});
+    refuses<Shade>(shade, [](Shade& d) { d.list_count = d.colour; }, RSH_INVALID_VALUE,
+                   {"colour", "overlap", "list_count"});
 }
 
 TEST_F(Misuse, OfScenesAndFramesIsRefused) {

@@ -7,8 +7,8 @@
  *   occlusion          in/out  any: a bit per ray
  * A work-item owns the rays that it writes, and launches follow each other: no atomics.
  */
-#include "lanes/stride.h"
 #include "bvh/layout.h"
+#include "lanes/stride.h"
 #include "rays/nodes_head.h"
 #include "traverse/count.h"
 #include "traverse/paper/intersect_ranges.h"
