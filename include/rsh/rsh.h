@@ -1,9 +1,9 @@
 /* rsh.h - ray tracing with a hierarchy over the rays, and stream reduction, in portable OpenCL.
  *
  * rsh_rasterize finds what the camera sees, rsh_spawn makes the secondary rays, rsh_bound bounds
- * the scene, rsh_build the rays, rsh_traverse finds the closest hits by both, rsh_shade turns
- * hits into colour. rsh_frame is that loop, made of the same calls; rsh_audit checks hits. Two
- * ways to traverse:
+ * the scene, rsh_build the rays, rsh_traverse finds the closest hits by both, rsh_shadow which
+ * lights are hidden there, rsh_shade turns hits into colour. rsh_frame is that loop, made of the
+ * same calls; rsh_audit checks hits. Two ways to traverse:
  *
  *   tiles   (the default on CPUs) rays in packets of 16 x 16, bounded by the hierarchy over the
  *           rays, go front to back through a 16-wide bounding volume hierarchy (BVH16) of the
@@ -667,6 +667,45 @@ typedef struct rsh_spawn_desc {
 RSH_API rsh_status rsh_spawn(rsh_context context, cl_command_queue queue,
                              const rsh_spawn_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
+
+/* ---- shadows ---- */
+
+typedef struct rsh_shadow_desc {
+    size_t struct_size;
+    const rsh_scene* scene;
+    cl_uint width;        /* a grid or a list of rays, as in rsh_build_desc                   */
+    cl_uint height;
+    cl_mem rays;          /* in: width * height x rsh_ray                                     */
+    cl_mem hits;          /* in: their closest hits                                           */
+    cl_mem bounds;        /* in: from rsh_bound; NULL: made in scratch, once for all lights,
+                             which the query counts, so that there it must be NULL, or not, as
+                             in the call                                                      */
+    cl_mem occlusion;     /* out: width * height x cl_uint, a mask per ray for rsh_shade: bit k:
+                             light k is hidden                                                */
+    cl_uint engine;       /* as in rsh_traverse_desc                                          */
+    cl_uint shape;        /* RSH_SHAPE_DEFAULT: what the engine takes                         */
+    cl_uint strategy;     /* as in rsh_traverse_desc */
+    size_t budget;        /* likewise */
+    cl_mem scratch;
+    cl_mem list_count;    /* in: as in rsh_build_desc */
+    cl_mem active_count;  /* in/out: one cl_uint, grows by the shadow rays of all lights, and wraps
+                             above 2^32 of them; may be NULL                                  */
+} rsh_shadow_desc;
+
+RSH_API rsh_status rsh_shadow_query(rsh_context context, const rsh_shadow_desc* desc,
+                                    rsh_sizes* sizes);
+
+/* Finds which lights are hidden where rays hit: for each light of scene->shadow_lights rsh_spawn,
+ * rsh_build and rsh_traverse, which the caller could enqueue as well.
+ *
+ * Effect:  all masks are overwritten. A bit is 0 where the light reaches the hit, adds nothing to
+ *          it, casts no shadow or is not in shadow_lights, and where nothing is hit; all are 0
+ *          without RSH_FEATURE_SHADOW. list_count: masks behind it are 0.
+ * Cost:    a launch to clear, and per light what the three calls cost; 36 bytes of scratch per ray,
+ *          and the nodes. output_bytes of the query: 4 per ray. */
+RSH_API rsh_status rsh_shadow(rsh_context context, cl_command_queue queue,
+                              const rsh_shadow_desc* desc, cl_uint wait_count,
+                              const cl_event* wait_list, cl_event* done);
 
 /* ---- shading ---- */
 

@@ -1,9 +1,10 @@
-// check_rays.cpp - calls over given rays: build, traverse, spawn, shade.
+// check_rays.cpp - calls over given rays: build, traverse, spawn, shadow, shade.
 #include "api/check_fields.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "rays/levels.hpp"
 #include "rays/node_shape.hpp"
 #include "reduce/strategy.hpp"
+#include "shadow/shadow.hpp"
 #include "traverse/engine.hpp"
 
 namespace rsh {
@@ -135,6 +136,25 @@ void check_buffers(const Context& context, const rsh_spawn_desc& desc) {
     if (desc.kind == RSH_SPAWN_SHADOW) return;
     buffers.optional_in("weights", desc.weights, rays * 16);
     buffers.out("spawned_weights", desc.spawned_weights, rays * 16);
+}
+
+void check_shape(const rsh_shadow_desc& desc) {
+    check_shape(*desc.scene);
+    check_shape(shadow_traverse(desc));
+}
+
+void check_buffers(const Context& context, const rsh_shadow_desc& desc) {
+    Buffers buffers(context);
+    check_buffers(buffers, *desc.scene);
+    const cl_ulong rays = ray_count(desc.width, desc.height);
+    check_hit_rays(buffers, static_cast<cl_uint>(rays), desc.rays, desc.hits);
+    buffers.optional_in("list_count", desc.list_count, 4);
+    if (find_engine(desc.engine).node_shape() != RSH_SHAPE_DEFAULT)
+        buffers.optional_in("bounds", desc.bounds,
+                            bounds_for(desc.shape).bytes(desc.scene->geometry));
+    buffers.out("occlusion", desc.occlusion, rays * 4);
+    buffers.optional_out("active_count", desc.active_count, 4);
+    buffers.scratch(desc.scratch, shadow_scratch(context, desc).bytes());
 }
 
 void check_shape(const rsh_shade_desc& desc) {

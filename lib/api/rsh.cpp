@@ -19,6 +19,7 @@
 #include "reduce/strategy.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
+#include "shadow/shadow.hpp"
 #include "traverse/audit.hpp"
 #include "traverse/engine.hpp"
 
@@ -259,6 +260,19 @@ rsh_status rsh_audit(rsh_context context, cl_command_queue queue, const rsh_audi
 rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,
                      cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::spawn);
+}
+
+rsh_status rsh_shadow_query(rsh_context context, const rsh_shadow_desc* desc,
+                            rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(rsh::ray_count(checked.width, checked.height) * 4,
+                             rsh::shadow_scratch(own, checked).bytes());
+    });
+}
+
+rsh_status rsh_shadow(rsh_context context, cl_command_queue queue, const rsh_shadow_desc* desc,
+                      cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::shadow);
 }
 
 rsh_status rsh_shade(rsh_context context, cl_command_queue queue, const rsh_shade_desc* desc,

@@ -12,12 +12,14 @@ void fill_defaults(const Context&, Desc&) {}
 void fill_defaults(const Context& context, rsh_bound_desc& desc);
 void fill_defaults(const Context& context, rsh_build_desc& desc);
 void fill_defaults(const Context& context, rsh_traverse_desc& desc);
+void fill_defaults(const Context& context, rsh_shadow_desc& desc);
 void fill_defaults(const Context& context, rsh_frame_desc& desc);
 
 template <class Desc>
 void settle_strategy(const Context&, Desc&) {}
 void settle_strategy(const Context& context, rsh_reduce_desc& desc);
 void settle_strategy(const Context& context, rsh_traverse_desc& desc);
+void settle_strategy(const Context& context, rsh_shadow_desc& desc);
 void settle_strategy(const Context& context, rsh_frame_desc& desc);
 
 // Throws unless all but the buffers is right.

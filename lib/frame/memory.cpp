@@ -13,9 +13,7 @@ namespace rsh {
 namespace {
 
 bool needs_shadows(const rsh_frame_desc& desc) {
-    const rsh_scene& scene = *desc.scene;
-    const cl_ulong lights = (cl_ulong{1} << scene.light_count) - 1;
-    return (scene.features & RSH_FEATURE_SHADOW) && (scene.shadow_lights & lights) != 0;
+    return shadow_lights(*desc.scene) != 0;
 }
 
 bool needs_bounces(const rsh_frame_desc& desc) {

@@ -11,10 +11,6 @@ size_t items_for(Recorder& recorder, size_t rays) {
     return recorder.context().vector_width > 1 ? (rays + 15) / 16 : rays;
 }
 
-cl_uint shadow_lights(const rsh_scene& scene) {
-    return scene.features & RSH_FEATURE_SHADOW ? scene.shadow_lights : 0;
-}
-
 void shade(Recorder& recorder, const rsh_shade_desc& desc, bool is_first) {
     const rsh_scene& scene = *desc.scene;
     recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
@@ -29,6 +25,12 @@ void shade(Recorder& recorder, const rsh_shade_desc& desc, bool is_first) {
 }
 
 }  // namespace
+
+cl_uint shadow_lights(const rsh_scene& scene) {
+    const cl_ulong lights = (cl_ulong{1} << scene.light_count) - 1;
+    if (!(scene.features & RSH_FEATURE_SHADOW)) return 0;
+    return scene.shadow_lights & static_cast<cl_uint>(lights);
+}
 
 void shade(Recorder& recorder, const rsh_shade_desc& desc) {
     shade(recorder, desc, false);

@@ -7,6 +7,9 @@
 
 namespace rsh {
 
+// Bit k: light k of the scene casts shadows that are asked for.
+cl_uint shadow_lights(const rsh_scene& scene);
+
 void shade(Recorder& recorder, const rsh_shade_desc& desc);
 // Of colours that nothing was added to before, nor set.
 void shade_first(Recorder& recorder, const rsh_shade_desc& desc);

@@ -61,6 +61,7 @@ public:
                 {"rsh_traverse", of(rsh_traverse, valid.traverse())},
                 {"rsh_audit", of(rsh_audit, valid.audit())},
                 {"rsh_spawn", of(rsh_spawn, valid.spawn())},
+                {"rsh_shadow", of(rsh_shadow, valid.shadow())},
                 {"rsh_shade", of(rsh_shade, valid.shade())},
                 {"rsh_frame", of(rsh_frame, valid.frame())},
                 {"rsh_frame with bounces", frame()},

@@ -51,6 +51,7 @@ TEST_F(Misuse, OfStructSizesIsRefusedByEveryCall) {
     refuses_struct_sizes(valid_.traverse());
     refuses_struct_sizes(valid_.audit());
     refuses_struct_sizes(valid_.spawn());
+    refuses_struct_sizes(valid_.shadow());
     refuses_struct_sizes(valid_.shade());
     refuses_struct_sizes(valid_.frame());
     refuses_struct_sizes(valid_.reduce());
@@ -365,6 +366,36 @@ TEST_F(Misuse, OfSpawnAndShadeIsRefused) {
                    {"list_count", "2 bytes", "4"});
     refuses<Shade>(shade, [](Shade& d) { d.list_count = d.colour; }, RSH_INVALID_VALUE,
                    {"colour", "overlap", "list_count"});
+}
+
+TEST_F(Misuse, OfShadowsIsRefused) {
+    using Desc = rsh_shadow_desc;
+    const auto desc = valid_.shadow();
+    refuses<Desc>(desc, [](Desc& d) { d.scene = nullptr; }, RSH_INVALID_VALUE,
+                  {"scene", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.width = 16385; }, RSH_INVALID_VALUE,
+                  {"width", "16385", "16384"});
+    refuses<Desc>(desc, [](Desc& d) { d.width = 9; }, RSH_BUFFER_TOO_SMALL,
+                  {"rays", "2048", "2304"});
+    refuses<Desc>(desc, [](Desc& d) { d.hits = nullptr; }, RSH_INVALID_VALUE, {"hits", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.occlusion = nullptr; }, RSH_INVALID_VALUE,
+                  {"occlusion", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.occlusion = d.hits; }, RSH_INVALID_VALUE,
+                  {"occlusion", "overlap", "hits"});
+    refuses<Desc>(desc, [](Desc& d) { d.active_count = d.occlusion; }, RSH_INVALID_VALUE,
+                  {"active_count", "overlap", "occlusion"});
+    refuses<Desc>(desc, [](Desc& d) { d.engine = 77; }, RSH_INVALID_VALUE, {"engine", "77"});
+    refuses<Desc>(desc, [](Desc& d) { d.strategy = 77; }, RSH_INVALID_VALUE,
+                  {"strategy", "77"});
+    refuses<Desc>(desc, [](Desc& d) { d.budget = 1; }, RSH_INVALID_VALUE, {"budget", "65536"});
+    refuses<Desc>(desc, [](Desc& d) { d.engine = RSH_ENGINE_TILES, d.shape = RSH_SHAPE_CONE; },
+                  RSH_INVALID_VALUE, {"shape", "cone", "box", "tiles"});
+    refuses<Desc>(desc, [&](Desc& d) { d.bounds = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"bounds", "4"});
+    refuses<Desc>(desc, [&](Desc& d) { d.scratch = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"scratch", "4 bytes"});
+    refuses<Desc>(desc, [&](Desc& d) { d.list_count = short_.get(); }, RSH_INVALID_VALUE,
+                  {"height", "8", "0 or 1"});
 }
 
 TEST_F(Misuse, OfScenesAndFramesIsRefused) {

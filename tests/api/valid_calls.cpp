@@ -69,6 +69,16 @@ rsh_spawn_desc ValidCalls::spawn() const {
     return desc;
 }
 
+rsh_shadow_desc ValidCalls::shadow() const {
+    auto desc = empty<rsh_shadow_desc>();
+    desc.scene = &scene.desc;
+    desc.width = desc.height = kSide;
+    desc.rays = rays.get();
+    desc.hits = in_hits.get();
+    desc.occlusion = occlusion.get();
+    return desc;
+}
+
 rsh_shade_desc ValidCalls::shade() const {
     auto desc = empty<rsh_shade_desc>();
     desc.scene = &scene.desc;

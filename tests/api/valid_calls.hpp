@@ -38,6 +38,7 @@ struct ValidCalls {
     rsh_traverse_desc traverse() const;  // brute force: needs no nodes
     rsh_audit_desc audit() const;
     rsh_spawn_desc spawn() const;
+    rsh_shadow_desc shadow() const;
     rsh_shade_desc shade() const;
     rsh_frame_desc frame() const;
     rsh_reduce_desc reduce() const;

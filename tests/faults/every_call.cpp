@@ -197,6 +197,7 @@ void EveryCall::add_queries(std::vector<Call>& calls) const {
     calls.push_back(query("rsh_build_query", rsh_build_query, build(true)));
     for (const cl_uint engine : {RSH_ENGINE_TILES, RSH_ENGINE_PAPER, RSH_ENGINE_PAPER_FAITHFUL})
         calls.push_back(query("rsh_traverse_query", rsh_traverse_query, traverse(engine)));
+    calls.push_back(query("rsh_shadow_query", rsh_shadow_query, valid_.shadow()));
     calls.push_back(query("rsh_frame_query", rsh_frame_query, frame()));
     calls.push_back(query("rsh_reduce_query", rsh_reduce_query, valid_.reduce()));
     calls.push_back({"rsh_find_features", [this] {
@@ -220,6 +221,7 @@ void EveryCall::add_passes(std::vector<Call>& calls) const {
     calls.push_back(pass("rsh_traverse with bounds of its own", rsh_traverse, own_bounds));
     calls.push_back(pass("rsh_audit", rsh_audit, valid_.audit()));
     calls.push_back(pass("rsh_spawn", rsh_spawn, valid_.spawn()));
+    calls.push_back(pass("rsh_shadow", rsh_shadow, valid_.shadow()));
     calls.push_back(pass("rsh_shade", rsh_shade, valid_.shade()));
     for (cl_uint strategy = RSH_STRATEGY_CHUNK; strategy <= RSH_STRATEGY_BLELLOCH; ++strategy) {
         rsh_reduce_desc reduce = valid_.reduce();
