@@ -707,6 +707,31 @@ RSH_API rsh_status rsh_shadow(rsh_context context, cl_command_queue queue,
                               const rsh_shadow_desc* desc, cl_uint wait_count,
                               const cl_event* wait_list, cl_event* done);
 
+/* ---- surfaces ---- */
+
+typedef struct rsh_find_surfaces_desc {
+    size_t struct_size;
+    const rsh_scene* scene;
+    cl_uint ray_count; /* at most 2^28 */
+    cl_mem rays;       /* in */
+    cl_mem hits;       /* in: closest hits of the rays                                        */
+    cl_mem surfaces;   /* out: one rsh_surface per ray                                        */
+    cl_mem list_count; /* in: one cl_uint: how many rays there are, of ray_count at most, as in
+                          rsh_build_desc; surfaces behind them stay as they are. NULL: ray_count */
+} rsh_find_surfaces_desc;
+
+/* Finds what the rays hit, for a shading kernel of the caller's: point, normals, material and
+ * texture as rsh_shade and rsh_spawn see them, bit for bit.
+ *
+ * Effect:  one record per ray, see rsh_surface. Features that are left out count as absent: without
+ *          RSH_FEATURE_SMOOTH_NORMAL normals are those of the triangles, without
+ *          RSH_FEATURE_TEXTURE texture colours are 1.
+ * Cost:    one launch; 48 bytes read and 80 written per ray, beside its triangle. rsh's own calls
+ *          take no such records: to find a surface again is quicker than to write and read one. */
+RSH_API rsh_status rsh_find_surfaces(rsh_context context, cl_command_queue queue,
+                                     const rsh_find_surfaces_desc* desc, cl_uint wait_count,
+                                     const cl_event* wait_list, cl_event* done);
+
 /* ---- shading ---- */
 
 typedef struct rsh_shade_desc {

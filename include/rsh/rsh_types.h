@@ -71,6 +71,21 @@ typedef struct rsh_hit {
 } rsh_hit;
 RSH_ASSERT_SIZE(rsh_hit, 16);
 
+/* What a ray hits, for shading: see rsh_find_surfaces. Where an active ray hits nothing, or a triangle
+ * without a normal, and for inactive rays: primitive = RSH_NO_HIT, all else 0. */
+typedef struct rsh_surface {
+    rsh_float4 point;     /* xyz: on the triangle [world], w: t of the hit                      */
+    rsh_float4 geometric; /* xyz: unit normal of the triangle, turned to the side that the ray
+                             comes from; w: 1 when that is the outside, see rsh_material, or -1 */
+    rsh_float4 normal;    /* xyz: unit normal for shading, turned to that same side; w: 0       */
+    rsh_float4 texture;   /* rgb: linear colour of the material's texture, without one 1; w: 0  */
+    rsh_float texture_u;  /* texture coordinates; 0 where the scene has none                    */
+    rsh_float texture_v;
+    rsh_uint material;    /* its number, below material_count                                   */
+    rsh_uint primitive;   /* index of the triangle                                              */
+} rsh_surface;
+RSH_ASSERT_SIZE(rsh_surface, 80);
+
 /* What an audit found: see rsh_audit. */
 typedef struct rsh_audit_report {
     rsh_ulong rays;        /* that were traced again                                   */

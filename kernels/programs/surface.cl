@@ -3,6 +3,7 @@
 #include "reduce/scan_counts.cl"
 #include "shade/clear_colour.cl"
 #include "shade/cut.cl"
+#include "shade/find_surfaces.cl"
 #include "shade/shade.cl"
 #include "shade/shade_lit.cl"
 #include "shade/spawn.cl"

@@ -23,16 +23,20 @@ static intv sends_light_back(float3v diffuse, float3v specular)
     return most > (floatv)(0.0f);
 }
 
+static float2 texture_coordinates(const surface_buffers* buffers,
+                                  __global const float* texcoords, rsh_hit hit)
+{
+    uint corner[3];
+    triangle_vertices(buffers->mesh, buffers->indices, hit.primitive, corner);
+    return (1.0f - hit.u - hit.v) * vload2(corner[0], texcoords) +
+           hit.u * vload2(corner[1], texcoords) + hit.v * vload2(corner[2], texcoords);
+}
+
 static float3 texture_colour(const surface_buffers* buffers, const image_list* images,
                              __global const float* texcoords, rsh_hit hit, uint texture)
 {
     if (texture >= images->texture_count) return (float3)(1.0f);
-    uint corner[3];
-    triangle_vertices(buffers->mesh, buffers->indices, hit.primitive, corner);
-    const float2 uv = (1.0f - hit.u - hit.v) * vload2(corner[0], texcoords) +
-                      hit.u * vload2(corner[1], texcoords) +
-                      hit.v * vload2(corner[2], texcoords);
-    return sample_image(images, texture, uv, false);
+    return sample_image(images, texture, texture_coordinates(buffers, texcoords, hit), false);
 }
 
 /* The texture colours of the lanes in `bits`. */

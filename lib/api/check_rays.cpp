@@ -1,4 +1,5 @@
-// check_rays.cpp - calls over given rays: build, traverse, spawn, shadow, shade.
+// check_rays.cpp - calls over given rays: build, traverse, spawn, shadow,
+// surfaces, shade.
 #include "api/check_fields.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "rays/levels.hpp"
@@ -155,6 +156,19 @@ void check_buffers(const Context& context, const rsh_shadow_desc& desc) {
     buffers.out("occlusion", desc.occlusion, rays * 4);
     buffers.optional_out("active_count", desc.active_count, 4);
     buffers.scratch(desc.scratch, shadow_scratch(context, desc).bytes());
+}
+
+void check_shape(const rsh_find_surfaces_desc& desc) {
+    check_shape(*desc.scene);
+    check_ray_count(desc.ray_count);
+}
+
+void check_buffers(const Context& context, const rsh_find_surfaces_desc& desc) {
+    Buffers buffers(context);
+    check_buffers(buffers, *desc.scene);
+    check_hit_rays(buffers, desc.ray_count, desc.rays, desc.hits);
+    buffers.optional_in("list_count", desc.list_count, 4);
+    buffers.out("surfaces", desc.surfaces, cl_ulong{desc.ray_count} * sizeof(rsh_surface));
 }
 
 void check_shape(const rsh_shade_desc& desc) {

@@ -17,6 +17,7 @@
 #include "rays/node_shape.hpp"
 #include "reduce/selftest.hpp"
 #include "reduce/strategy.hpp"
+#include "shade/find_surfaces.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
 #include "shadow/shadow.hpp"
@@ -273,6 +274,13 @@ rsh_status rsh_shadow_query(rsh_context context, const rsh_shadow_desc* desc,
 rsh_status rsh_shadow(rsh_context context, cl_command_queue queue, const rsh_shadow_desc* desc,
                       cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::shadow);
+}
+
+rsh_status rsh_find_surfaces(rsh_context context, cl_command_queue queue,
+                             const rsh_find_surfaces_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done,
+                        rsh::find_surfaces);
 }
 
 rsh_status rsh_shade(rsh_context context, cl_command_queue queue, const rsh_shade_desc* desc,

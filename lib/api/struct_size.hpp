@@ -39,6 +39,7 @@ RSH_FIRST_VERSION(rsh_traverse_desc, progress_user);
 RSH_FIRST_VERSION(rsh_audit_desc, report);
 RSH_FIRST_VERSION(rsh_spawn_desc, active_count);
 RSH_FIRST_VERSION(rsh_shadow_desc, active_count);
+RSH_FIRST_VERSION(rsh_find_surfaces_desc, list_count);
 RSH_FIRST_VERSION(rsh_shade_desc, colour);
 RSH_FIRST_VERSION(rsh_frame_desc, audit);
 RSH_FIRST_VERSION(rsh_reduce_desc, scratch);

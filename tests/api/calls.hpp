@@ -32,6 +32,9 @@ inline rsh_status call(const rsh_spawn_desc* d, cl_event* e = nullptr) {
 inline rsh_status call(const rsh_shadow_desc* d, cl_event* e = nullptr) {
     return rsh_shadow(device().rsh, device().queue(), d, 0, nullptr, e);
 }
+inline rsh_status call(const rsh_find_surfaces_desc* d, cl_event* e = nullptr) {
+    return rsh_find_surfaces(device().rsh, device().queue(), d, 0, nullptr, e);
+}
 inline rsh_status call(const rsh_shade_desc* d, cl_event* e = nullptr) {
     return rsh_shade(device().rsh, device().queue(), d, 0, nullptr, e);
 }

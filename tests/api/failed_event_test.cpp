@@ -62,6 +62,7 @@ public:
                 {"rsh_audit", of(rsh_audit, valid.audit())},
                 {"rsh_spawn", of(rsh_spawn, valid.spawn())},
                 {"rsh_shadow", of(rsh_shadow, valid.shadow())},
+                {"rsh_find_surfaces", of(rsh_find_surfaces, valid.find_surfaces())},
                 {"rsh_shade", of(rsh_shade, valid.shade())},
                 {"rsh_frame", of(rsh_frame, valid.frame())},
                 {"rsh_frame with bounces", frame()},

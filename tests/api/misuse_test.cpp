@@ -52,6 +52,7 @@ TEST_F(Misuse, OfStructSizesIsRefusedByEveryCall) {
     refuses_struct_sizes(valid_.audit());
     refuses_struct_sizes(valid_.spawn());
     refuses_struct_sizes(valid_.shadow());
+    refuses_struct_sizes(valid_.find_surfaces());
     refuses_struct_sizes(valid_.shade());
     refuses_struct_sizes(valid_.frame());
     refuses_struct_sizes(valid_.reduce());
@@ -396,6 +397,23 @@ TEST_F(Misuse, OfShadowsIsRefused) {
                   {"scratch", "4 bytes"});
     refuses<Desc>(desc, [&](Desc& d) { d.list_count = short_.get(); }, RSH_INVALID_VALUE,
                   {"height", "8", "0 or 1"});
+}
+
+TEST_F(Misuse, OfSurfacesIsRefused) {
+    using Desc = rsh_find_surfaces_desc;
+    const auto desc = valid_.find_surfaces();
+    refuses<Desc>(desc, [](Desc& d) { d.scene = nullptr; }, RSH_INVALID_VALUE,
+                  {"scene", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.ray_count = (1u << 28) + 1; }, RSH_INVALID_VALUE,
+                  {"ray_count", "268435457", "268435456"});
+    refuses<Desc>(desc, [](Desc& d) { d.ray_count = 65; }, RSH_BUFFER_TOO_SMALL,
+                  {"rays", "2048", "2080"});
+    refuses<Desc>(desc, [](Desc& d) { d.surfaces = nullptr; }, RSH_INVALID_VALUE,
+                  {"surfaces", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { d.surfaces = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                  {"surfaces", "4", "5120"});
+    refuses<Desc>(desc, [](Desc& d) { d.hits = d.surfaces; }, RSH_INVALID_VALUE,
+                  {"surfaces", "overlap", "hits"});
 }
 
 TEST_F(Misuse, OfScenesAndFramesIsRefused) {

@@ -79,6 +79,16 @@ rsh_shadow_desc ValidCalls::shadow() const {
     return desc;
 }
 
+rsh_find_surfaces_desc ValidCalls::find_surfaces() const {
+    auto desc = empty<rsh_find_surfaces_desc>();
+    desc.scene = &scene.desc;
+    desc.ray_count = kRays;
+    desc.rays = rays.get();
+    desc.hits = in_hits.get();
+    desc.surfaces = surfaces.get();
+    return desc;
+}
+
 rsh_shade_desc ValidCalls::shade() const {
     auto desc = empty<rsh_shade_desc>();
     desc.scene = &scene.desc;
@@ -114,9 +124,9 @@ rsh_reduce_desc ValidCalls::reduce() const {
     const ::testing::AssertionResult results[] = {
         out_rays.untouched(), hits.untouched(),   occlusion.untouched(), colour.untouched(),
         weights.untouched(),  bounds.untouched(), nodes.untouched(),     packed.untouched(),
-        count.untouched(),    report.untouched()};
-    const char* const names[] = {"rays",   "hits",  "occlusion", "colour", "weights",
-                                 "bounds", "nodes", "packed",    "count",  "report"};
+        count.untouched(),    report.untouched(), surfaces.untouched()};
+    const char* const names[] = {"rays",  "hits",   "occlusion", "colour", "weights", "bounds",
+                                 "nodes", "packed", "count",     "report", "surfaces"};
     for (size_t i = 0; i < std::size(results); ++i)
         if (!results[i])
             return ::testing::AssertionFailure() << names[i] << ": " << results[i].message();

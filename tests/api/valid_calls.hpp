@@ -20,6 +20,7 @@ struct ValidCalls {
     Buffer<rsh_ray> out_rays{kRays};
     Buffer<rsh_hit> in_hits{std::vector<rsh_hit>(kRays, rsh_hit{1, 0, 0, 0})};
     Buffer<rsh_hit> hits{kRays};
+    Buffer<rsh_surface> surfaces{kRays};
     Buffer<uint32_t> occlusion{kRays};
     Buffer<cl_float4> colour{kRays};
     Buffer<cl_float4> weights{kRays};
@@ -39,6 +40,7 @@ struct ValidCalls {
     rsh_audit_desc audit() const;
     rsh_spawn_desc spawn() const;
     rsh_shadow_desc shadow() const;
+    rsh_find_surfaces_desc find_surfaces() const;
     rsh_shade_desc shade() const;
     rsh_frame_desc frame() const;
     rsh_reduce_desc reduce() const;

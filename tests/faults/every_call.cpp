@@ -222,6 +222,7 @@ void EveryCall::add_passes(std::vector<Call>& calls) const {
     calls.push_back(pass("rsh_audit", rsh_audit, valid_.audit()));
     calls.push_back(pass("rsh_spawn", rsh_spawn, valid_.spawn()));
     calls.push_back(pass("rsh_shadow", rsh_shadow, valid_.shadow()));
+    calls.push_back(pass("rsh_find_surfaces", rsh_find_surfaces, valid_.find_surfaces()));
     calls.push_back(pass("rsh_shade", rsh_shade, valid_.shade()));
     for (cl_uint strategy = RSH_STRATEGY_CHUNK; strategy <= RSH_STRATEGY_BLELLOCH; ++strategy) {
         rsh_reduce_desc reduce = valid_.reduce();
