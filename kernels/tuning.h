@@ -32,7 +32,9 @@
 #define RSH_LARGE 0.125f
 
 /* A range of 16 rays is incoherent when its origins span more than this of what all origins do;
- * where all rays start in one point, when its directions span more than this of theirs. */
+ * where all rays start in one point, when its directions span more than this of theirs. Of rays that
+ * converge less: sorted by origin alone they make narrow packets, and take half the time; for those that
+ * go anywhere, sorting what is nearly in order costs as much as it gains. */
 #define RSH_INCOHERENT_EXTENT 0.25f
 #define RSH_CONVERGING_EXTENT 0.0625f
 
