@@ -35,13 +35,16 @@ static uint share_begin(uint count, ulong item)
     return (uint)(item * count / get_global_size(0));
 }
 
-/* Of `count` elements, no more than there are work-items, that of this one; `count`: none. */
+/* Of `count` elements, no more than there are work-items, that of this one; `count`: none. On CPUs
+ * those of the two halves in turn, as costs change along a list: sorted rays end with those that are
+ * inactive. */
 static uint my_element(uint count)
 {
     const ulong me = get_global_id(0);
     if (RSH_WIDTH == 1) return (uint)min(me, (ulong)count);
-    const uint begin = share_begin(count, me);
-    return begin < share_begin(count, me + 1) ? begin : count;
+    const uint share = share_begin(count, me);
+    if (share == share_begin(count, me + 1)) return count;
+    return share % 2 ? (count + 1) / 2 + share / 2 : share / 2;
 }
 
 /* Of `count` elements, those of this work-item, in any order, in blocks of RSH_WIDTH: all of them full
