@@ -32,7 +32,7 @@
  *              list) is read before the call returns.
  *              Planned, so that nothing has to move: at the end of rsh_traverse_desc and
  *              rsh_build_desc rays as separate arrays, and masks; of rsh_scene offset and stride
- *              of each attribute; of rsh_frame_desc and rsh_rasterize_desc a window of the
+ *              of texture coordinates; of rsh_frame_desc and rsh_rasterize_desc a window of the
  *              picture. In reserved words of rsh_geometry 16-bit indices, and ranges of several
  *              meshes with ids and masks; of rsh_camera, rsh_material, rsh_light and rsh_texture
  *              what stands beside them.
@@ -289,7 +289,7 @@ enum {
 typedef struct rsh_scene {
     size_t struct_size;
     rsh_geometry geometry;
-    cl_mem normals;               /* 3 floats per vertex, packed; NULL: flat shading       */
+    cl_mem normals;               /* 3 floats per vertex, see normal_stride; NULL: flat    */
     cl_mem texcoords;             /* 2 floats per vertex, packed; NULL: no textures        */
     cl_mem material_ids;          /* cl_uint per triangle; NULL: material 0 everywhere;
                                      out of range: material 0                              */
@@ -311,6 +311,9 @@ typedef struct rsh_scene {
                                      light; see rsh_find_features                          */
     cl_uint cut;                  /* RSH_CUT_..., of rays after the last bounce and of those that
                                      weigh no more than rsh_frame's min_weight             */
+    cl_uint normal_stride;        /* bytes, a multiple of 4, at least 12; 0: 12, packed. Normals may
+                                     lie between the vertices, in the same buffer          */
+    cl_ulong normals_offset;      /* bytes before the first normal, a multiple of 4        */
 } rsh_scene;
 
 /* Fills scene->features, shadow_lights and positional_lights with what these materials and

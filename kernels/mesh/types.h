@@ -4,7 +4,7 @@
 
 #include "rsh/rsh_types.h"
 
-/* How to read rsh_geometry: offsets and stride in words of 4 bytes. */
+/* How to read rsh_geometry, and the normals of an rsh_scene: offsets and strides in words of 4 bytes. */
 typedef struct mesh_view {
     rsh_uint vertices_first_low, vertices_first_high;
     rsh_uint indices_first_low, indices_first_high;
@@ -12,7 +12,10 @@ typedef struct mesh_view {
     rsh_uint vertex_count;
     rsh_uint triangle_count;
     rsh_uint is_indexed;
+    rsh_uint normals_first_low, normals_first_high;
+    rsh_uint normal_stride;
+    rsh_uint reserved;
 } mesh_view;
-RSH_ASSERT_SIZE(mesh_view, 32);
+RSH_ASSERT_SIZE(mesh_view, 48);
 
 #endif

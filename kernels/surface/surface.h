@@ -227,6 +227,16 @@ static uint load_vertex_numbers(const surface_buffers* buffers, uintv triangle, 
     return bits;
 }
 
+static void load_vertex_normals(const surface_buffers* buffers, uint (*corner)[RSH_WIDTH],
+                                surface_lanes* surface)
+{
+    const mesh_view mesh = buffers->mesh;
+    __global const float* normals =
+        buffers->normals + word_offset(mesh.normals_first_low, mesh.normals_first_high);
+    for (uint c = 0; c < 3; ++c)
+        surface->vertex_normals[c] = load_points(normals, mesh.normal_stride, corner[c]);
+}
+
 /* Reads the triangles, normals and materials of the lanes in `bits`; which of them are there. */
 static uint load_surfaces(const surface_buffers* buffers, const ray_lanes* block, uint bits,
                           surface_lanes* surface)
@@ -242,8 +252,7 @@ static uint load_surfaces(const surface_buffers* buffers, const ray_lanes* block
     surface->v0 = load_points(vertices, mesh.vertex_stride, corner[0]);
     surface->v1 = load_points(vertices, mesh.vertex_stride, corner[1]);
     surface->v2 = load_points(vertices, mesh.vertex_stride, corner[2]);
-    for (uint c = 0; RSH_SMOOTH_NORMAL && c < 3; ++c)
-        surface->vertex_normals[c] = load_points(buffers->normals, 3, corner[c]);
+    if (RSH_SMOOTH_NORMAL) load_vertex_normals(buffers, corner, surface);
     for (uint k = 0; k < RSH_WIDTH; ++k)
         surface->material[k] = bits >> k & 1 ? material_of(buffers, block->primitive[k]) : 0;
     return bits;

@@ -17,6 +17,14 @@ void check_cut(const rsh_scene& scene) {
     require(scene.cut <= RSH_CUT_ENVIRONMENT, "scene.cut", scene.cut, "an RSH_CUT_... value");
 }
 
+void check_normals(const rsh_scene& scene) {
+    const cl_uint stride = scene.normal_stride;
+    require(stride == 0 || (stride >= 12 && stride % 4 == 0), "scene.normal_stride", stride,
+            "0 or a multiple of 4, at least 12");
+    require(scene.normals_offset % 4 == 0, "scene.normals_offset", scene.normals_offset,
+            "a multiple of 4");
+}
+
 void check_images(const rsh_scene& scene) {
     require(scene.environment_texture <= scene.texture_count, "scene.environment_texture",
             scene.environment_texture, "at most scene.texture_count");
@@ -70,6 +78,7 @@ void check_shape(const rsh_scene& scene) {
             "at most ", RSH_MAX_LIGHTS);
     require((scene.features & ~RSH_FEATURE_ALL) == 0, "scene.features", scene.features,
             "made of RSH_FEATURE_ bits");
+    check_normals(scene);
     check_images(scene);
     check_cut(scene);
     check_vector("scene.ambient", scene.ambient);
@@ -79,7 +88,9 @@ void check_shape(const rsh_scene& scene) {
 void check_buffers(Buffers& buffers, const rsh_scene& scene) {
     check_buffers(buffers, scene.geometry);
     const cl_ulong vertices = scene.geometry.vertex_count;
-    buffers.optional_in("scene.normals", scene.normals, vertices * 12);
+    const cl_ulong stride = scene.normal_stride ? scene.normal_stride : 12;
+    buffers.optional_in("scene.normals", scene.normals,
+                        vertices ? (vertices - 1) * stride + 12 : 0, scene.normals_offset);
     buffers.optional_in("scene.texcoords", scene.texcoords, vertices * 8);
     buffers.optional_in("scene.material_ids", scene.material_ids,
                         cl_ulong{scene.geometry.triangle_count} * 4);

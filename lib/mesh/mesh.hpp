@@ -1,4 +1,4 @@
-// mesh.hpp - rsh_geometry as kernels read it.
+// mesh.hpp - rsh_geometry, and the normals of an rsh_scene, as kernels read them.
 #pragma once
 
 #include <rsh/rsh.h>
@@ -19,6 +19,15 @@ inline mesh_view mesh_view_of(const rsh_geometry& geometry) {
     mesh.vertex_count = geometry.vertex_count;
     mesh.triangle_count = geometry.triangle_count;
     mesh.is_indexed = geometry.indices != nullptr;
+    return mesh;
+}
+
+inline mesh_view mesh_view_of(const rsh_scene& scene) {
+    const cl_ulong normals_first = scene.normals_offset / 4;
+    mesh_view mesh = mesh_view_of(scene.geometry);
+    mesh.normals_first_low = static_cast<cl_uint>(normals_first);
+    mesh.normals_first_high = static_cast<cl_uint>(normals_first >> 32);
+    mesh.normal_stride = (scene.normal_stride ? scene.normal_stride : 12) / 4;
     return mesh;
 }
 

@@ -14,14 +14,14 @@ size_t items_for(Recorder& recorder, size_t rays) {
 void shade(Recorder& recorder, const rsh_shade_desc& desc, bool is_first) {
     const rsh_scene& scene = *desc.scene;
     recorder.launch(RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade"),
-                    recorder.range(items_for(recorder, desc.ray_count)),
-                    mesh_view_of(scene.geometry), scene.geometry.vertices,
-                    scene.geometry.indices, scene.normals, scene.texcoords, scene.material_ids,
-                    scene.materials, scene.material_count, scene.lights, scene.light_count,
-                    scene.textures, scene.texture_count, scene.texels, scene.ambient,
-                    scene.environment, scene.environment_texture - 1u, desc.ray_count,
-                    desc.list_count, desc.rays, desc.hits, desc.weights, desc.occlusion,
-                    shadow_lights(scene), cl_uint{is_first}, desc.colour);
+                    recorder.range(items_for(recorder, desc.ray_count)), mesh_view_of(scene),
+                    scene.geometry.vertices, scene.geometry.indices, scene.normals,
+                    scene.texcoords, scene.material_ids, scene.materials, scene.material_count,
+                    scene.lights, scene.light_count, scene.textures, scene.texture_count,
+                    scene.texels, scene.ambient, scene.environment,
+                    scene.environment_texture - 1u, desc.ray_count, desc.list_count, desc.rays,
+                    desc.hits, desc.weights, desc.occlusion, shadow_lights(scene),
+                    cl_uint{is_first}, desc.colour);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void shade_lit(Recorder& recorder, const LightPass& pass) {
     const rsh_scene& scene = *desc.scene;
     recorder.launch(
         RSH_STAGE_SHADE, surface_kernel(scene, "rsh_shade_lit"),
-        recorder.range(items_for(recorder, desc.ray_count)), mesh_view_of(scene.geometry),
+        recorder.range(items_for(recorder, desc.ray_count)), mesh_view_of(scene),
         scene.geometry.vertices, scene.geometry.indices, scene.normals, scene.texcoords,
         scene.material_ids, scene.materials, scene.material_count, scene.lights,
         scene.light_count, scene.textures, scene.texture_count, scene.texels, scene.ambient,

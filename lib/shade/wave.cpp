@@ -23,7 +23,7 @@ void launch_pass(Recorder& recorder, const WavePass& pass, const char* kernel,
                  const More&... more) {
     const rsh_scene& scene = *pass.scene;
     recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, kernel),
-                    items_of(recorder.context(), pass.part.count), mesh_view_of(scene.geometry),
+                    items_of(recorder.context(), pass.part.count), mesh_view_of(scene),
                     scene.geometry.vertices, scene.geometry.indices, scene.normals,
                     scene.material_ids, scene.materials, scene.material_count, pass.part,
                     pass.list_count, branch_kinds(scene), pass.min_weight, pass.rays, pass.hits,

@@ -443,6 +443,17 @@ TEST_F(Misuse, OfScenesAndFramesIsRefused) {
                   {"environment_texture", "3"});
     refuses_scene([](rsh_scene& s) { s.normals = nullptr; }, RSH_INVALID_VALUE,
                   {"normals", "NULL"});
+    for (const cl_uint stride : {8u, 14u})
+        refuses_scene([=](rsh_scene& s) { s.normal_stride = stride; }, RSH_INVALID_VALUE,
+                      {"normal_stride", std::to_string(stride), "12"});
+    refuses_scene([](rsh_scene& s) { s.normals_offset = 6; }, RSH_INVALID_VALUE,
+                  {"normals_offset", "6", "multiple of 4"});
+    refuses_scene([](rsh_scene& s) { s.normals_offset = 4; }, RSH_BUFFER_TOO_SMALL,
+                  {"scene.normals"});
+    refuses_scene([](rsh_scene& s) { s.normals_offset = ~cl_ulong{3}; }, RSH_BUFFER_TOO_SMALL,
+                  {"scene.normals"});
+    refuses_scene([](rsh_scene& s) { s.normal_stride = 16; }, RSH_BUFFER_TOO_SMALL,
+                  {"scene.normals"});
     refuses<Desc>(desc, [](Desc& d) { d.width = 0; }, RSH_INVALID_VALUE, {"width", "0"});
     refuses<Desc>(desc, [](Desc& d) { d.height = 9; }, RSH_BUFFER_TOO_SMALL,
                   {"colour", "1024", "1152"});

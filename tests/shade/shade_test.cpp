@@ -120,6 +120,28 @@ TEST(Shade, RepeatsTheEnvironmentWhateverItsTextureSays) {
     EXPECT_TRUE(test::same_bits(colours(RSH_WRAP_CLAMP), colours(RSH_WRAP_REPEAT), "colours"));
 }
 
+// In the same buffer, three floats of each first, then the next vertex.
+TEST(Shade, ReadsNormalsThatLieBetweenTheVertices) {
+    const Scene scene = test::gallery();
+    const Sight sight = look(scene);
+    const test::DeviceScene packed(scene);
+    std::vector<Float3> both(1);
+    for (size_t i = 0; i < scene.normals.size(); ++i)
+        both.insert(both.end(), {scene.mesh.vertices[i], scene.normals[i]});
+    const test::Buffer<Float3> buffer(both);
+    test::DeviceScene interleaved(scene);
+    rsh_scene& desc = interleaved.desc;
+    desc.geometry.vertices = desc.normals = buffer.get();
+    desc.geometry.vertex_stride = desc.normal_stride = 2 * sizeof(Float3);
+    desc.geometry.vertices_offset = sizeof(Float3);
+    desc.normals_offset = 2 * sizeof(Float3);
+    EXPECT_TRUE(test::same_bits(
+        test::shade(interleaved, sight.rays, sight.hits, black(sight.rays.size())),
+        test::shade(packed, sight.rays, sight.hits, black(sight.rays.size())), "colours"));
+    EXPECT_TRUE(test::same_bits(test::spawn(interleaved, sight.rays, sight.hits, {}).rays,
+                                test::spawn(packed, sight.rays, sight.hits, {}).rays, "rays"));
+}
+
 TEST(Shade, TakesMaterialZeroForAnIdOutOfRange) {
     Scene scene = test::plain();
     scene.material_ids.assign(scene.mesh.triangle_count(), 77);
