@@ -671,6 +671,71 @@ RSH_API rsh_status rsh_spawn(rsh_context context, cl_command_queue queue,
                              const rsh_spawn_desc* desc, cl_uint wait_count,
                              const cl_event* wait_list, cl_event* done);
 
+/* ---- waves of secondary rays ---- */
+
+typedef struct rsh_spawn_wave_desc {
+    size_t struct_size;
+    const rsh_scene* scene;
+    cl_uint width;           /* a grid or a list of rays, as in rsh_build_desc                */
+    cl_uint height;
+    cl_mem rays;             /* in: a wave: width * height x rsh_ray                          */
+    cl_mem hits;             /* in: their closest hits                                        */
+    cl_mem weights;          /* in: float4 per ray, rgb; NULL: all 1                          */
+    float min_weight;        /* as in rsh_spawn_desc                                          */
+    cl_uint capacity;        /* rays that the next wave has room for, at most 2^28            */
+    cl_mem branches;         /* out: two cl_uint per ray of the wave: which rays of the next one
+                                are its reflected and its refracted ray; RSH_NO_RAY: none     */
+    cl_mem spawned_rays;     /* out: the next wave: capacity x rsh_ray                        */
+    cl_mem spawned_weights;  /* out: float4 per ray of it                                     */
+    cl_mem spawned_skip;     /* out: cl_uint per ray of it, as in rsh_spawn_desc              */
+    cl_mem spawned_count;    /* out: two cl_uint: how many rays it holds, for list_count of the
+                                calls that take it; and how many it would hold with any capacity */
+    cl_mem list_count;       /* in: as in rsh_build_desc                                      */
+    cl_mem spawned_parents;  /* out: cl_uint per ray of the next wave: the ray of this one that it
+                                comes from; may be NULL                                       */
+    cl_mem pixels;           /* in: cl_uint per ray of this wave, any number that its secondary
+                                rays inherit; NULL: the ray's own                             */
+    cl_mem spawned_pixels;   /* out: those of the next one; may be NULL                       */
+    cl_mem scratch;
+} rsh_spawn_wave_desc;
+
+RSH_API rsh_status rsh_spawn_wave_query(rsh_context context, const rsh_spawn_wave_desc* desc,
+                                        rsh_sizes* sizes);
+
+/* Makes all secondary rays of a wave: those of rsh_spawn, bit for bit, packed.
+ *
+ * Order:   all reflected rays, then all refracted ones; of each kind, in a list those of earlier rays
+ *          first, in a grid square by square of 64 x 64, row by row, and in each along Hilbert's
+ *          curve: rays that follow each other come from neighbours. It never differs.
+ * Effect:  if there are more rays than `capacity`, none is made: spawned_count is 0 and how many there
+ *          are, the other outputs are undefined. Nothing is ever written behind spawned_count.
+ *          Kinds that scene->features lacks are not made.
+ * Cost:    three launches, and one for parents and pixels; hits that send rays on are found twice.
+ *          output_bytes of the query: branches, 8 per ray; scratch_bytes: 8 per 16 rays at most. */
+RSH_API rsh_status rsh_spawn_wave(rsh_context context, cl_command_queue queue,
+                                  const rsh_spawn_wave_desc* desc, cl_uint wait_count,
+                                  const cl_event* wait_list, cl_event* done);
+
+typedef struct rsh_gather_wave_desc {
+    size_t struct_size;
+    const rsh_scene* scene;  /* as in rsh_spawn_wave_desc */
+    cl_uint width;           /* likewise, of the wave before */
+    cl_uint height;
+    cl_uint capacity;        /* likewise                                                      */
+    cl_mem branches;         /* in: as rsh_spawn_wave left them                               */
+    cl_mem spawned_count;    /* in: likewise                                                  */
+    cl_mem spawned_colour;   /* in: float4 per ray of the next wave                           */
+    cl_mem colour;           /* in/out: float4 per ray of the wave before; a is left alone    */
+    cl_mem list_count;       /* in: as in rsh_spawn_wave_desc */
+} rsh_gather_wave_desc;
+
+/* Adds to the colour of each ray what those see that it sent on: its reflected, then its refracted
+ * ray. Without atomics, and in this order: the sums never differ. Adds nothing after an
+ * rsh_spawn_wave that found no room. One launch. */
+RSH_API rsh_status rsh_gather_wave(rsh_context context, cl_command_queue queue,
+                                   const rsh_gather_wave_desc* desc, cl_uint wait_count,
+                                   const cl_event* wait_list, cl_event* done);
+
 /* ---- shadows ---- */
 
 typedef struct rsh_shadow_desc {

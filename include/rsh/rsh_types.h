@@ -36,6 +36,9 @@ typedef cl_ulong rsh_ulong;
 /* rsh_hit::primitive of a ray that hits nothing. */
 #define RSH_NO_HIT 0xffffffffu
 
+/* In place of the number of a ray: there is none, see rsh_spawn_wave. */
+#define RSH_NO_RAY 0xffffffffu
+
 /* rsh_material::texture of a material without a texture. */
 #define RSH_NO_TEXTURE 0xffffffffu
 

@@ -9,3 +9,4 @@
 #include "shade/spawn.cl"
 #include "shade/spawn_shadow.cl"
 #include "shade/wave.cl"
+#include "shade/wave_origins.cl"

@@ -4,9 +4,6 @@
 
 #include "rsh/rsh_types.h"
 
-/* In place of the index of a ray: there is none. */
-#define RSH_NO_RAY 0xffffffffu
-
 /* Four sibling nodes, component by component. A node bounds the rays that start inside a
  * sphere and leave inside a cone (Roger et al. 2007):
  *   apex_*   centre of the sphere [world]

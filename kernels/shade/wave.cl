@@ -177,12 +177,14 @@ __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
 
 /* Adds to the colour of each ray what those see that it sent on: reflected, then refracted, so
  * that the sum does not depend on how a wave is split up.
- *   next  in      colours of the next wave
+ *   next_count  in  0: it has none; NULL: some
+ *   next        in  colours of the next wave
  */
 __kernel void rsh_wave_gather(wave_part part, __global const uint* list_count,
-                              __global const uint2* branches, __global const float4* next,
-                              __global float4* colour)
+                              __global const uint2* branches, __global const uint* next_count,
+                              __global const float4* next, __global float4* colour)
 {
+    if (next_count && *next_count == 0) return;
     const strided_range mine = my_range(counted_rays(part.count, list_count));
     for (uint place = mine.begin; place < mine.end; place += RSH_WIDTH) {
         uint index[RSH_WIDTH];

@@ -12,6 +12,15 @@ void check_vector(const char* field, const rsh_float4& v) {
     for (int i = 0; i < 3; ++i) require(std::isfinite(v.s[i]), field, v.s[i], "finite");
 }
 
+void check_ray_grid(cl_uint width, cl_uint height) {
+    if (height <= 1) {
+        require(width <= kMaxRays, "width", width, "at most ", kMaxRays);
+        return;
+    }
+    require(width >= 1 && width <= kMaxSide, "width", width, "1 .. ", kMaxSide, " in a grid");
+    require(height <= kMaxSide, "height", height, "at most ", kMaxSide);
+}
+
 void check_budget(size_t budget) {
     require(budget == 0 || budget >= RSH_MIN_BUDGET, "budget", budget, "0 or at least ",
             RSH_MIN_BUDGET);

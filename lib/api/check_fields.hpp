@@ -17,7 +17,16 @@ void check_buffers(Buffers& buffers, const rsh_scene& scene);
 // Words that this version of the interface gives no meaning.
 void check_reserved(const char* field, const cl_uint* words, size_t count);
 void check_vector(const char* field, const rsh_float4& v);
+// A grid, or a list when height is 0 or 1.
+void check_ray_grid(cl_uint width, cl_uint height);
 void check_budget(size_t budget);
 void check_min_weight(float weight);
+
+// A list may be shorter than the host knows.
+template <class Desc>
+void check_list_count(const Desc& desc) {
+    require(!desc.list_count || desc.height <= 1, "height", desc.height,
+            "0 or 1 with a list_count");
+}
 
 }  // namespace rsh

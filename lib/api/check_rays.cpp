@@ -11,23 +11,6 @@
 namespace rsh {
 namespace {
 
-// A grid, or a list when height is 0 or 1.
-void check_ray_grid(cl_uint width, cl_uint height) {
-    if (height <= 1) {
-        require(width <= kMaxRays, "width", width, "at most ", kMaxRays);
-        return;
-    }
-    require(width >= 1 && width <= kMaxSide, "width", width, "1 .. ", kMaxSide, " in a grid");
-    require(height <= kMaxSide, "height", height, "at most ", kMaxSide);
-}
-
-// A list may be shorter than the host knows.
-template <class Desc>
-void check_list_count(const Desc& desc) {
-    require(!desc.list_count || desc.height <= 1, "height", desc.height,
-            "0 or 1 with a list_count");
-}
-
 void check_ray_count(cl_uint ray_count) {
     require(ray_count <= kMaxRays, "ray_count", ray_count, "at most ", kMaxRays);
 }

@@ -20,6 +20,7 @@
 #include "shade/find_surfaces.hpp"
 #include "shade/shade.hpp"
 #include "shade/spawn.hpp"
+#include "shade/spawn_wave.hpp"
 #include "shadow/shadow.hpp"
 #include "traverse/audit.hpp"
 #include "traverse/engine.hpp"
@@ -261,6 +262,26 @@ rsh_status rsh_audit(rsh_context context, cl_command_queue queue, const rsh_audi
 rsh_status rsh_spawn(rsh_context context, cl_command_queue queue, const rsh_spawn_desc* desc,
                      cl_uint wait_count, const cl_event* wait_list, cl_event* done) {
     return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::spawn);
+}
+
+rsh_status rsh_spawn_wave_query(rsh_context context, const rsh_spawn_wave_desc* desc,
+                                rsh_sizes* sizes) {
+    return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
+        return rsh::sizes_of(rsh::ray_count(checked.width, checked.height) * 8,
+                             rsh::spawn_wave_scratch(own, checked).bytes());
+    });
+}
+
+rsh_status rsh_spawn_wave(rsh_context context, cl_command_queue queue,
+                          const rsh_spawn_wave_desc* desc, cl_uint wait_count,
+                          const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::spawn_wave);
+}
+
+rsh_status rsh_gather_wave(rsh_context context, cl_command_queue queue,
+                           const rsh_gather_wave_desc* desc, cl_uint wait_count,
+                           const cl_event* wait_list, cl_event* done) {
+    return rsh::enqueue(context, {queue, wait_count, wait_list}, desc, done, rsh::gather_wave);
 }
 
 rsh_status rsh_shadow_query(rsh_context context, const rsh_shadow_desc* desc,

@@ -38,6 +38,8 @@ RSH_FIRST_VERSION(rsh_build_desc, scratch);
 RSH_FIRST_VERSION(rsh_traverse_desc, progress_user);
 RSH_FIRST_VERSION(rsh_audit_desc, report);
 RSH_FIRST_VERSION(rsh_spawn_desc, active_count);
+RSH_FIRST_VERSION(rsh_spawn_wave_desc, scratch);
+RSH_FIRST_VERSION(rsh_gather_wave_desc, list_count);
 RSH_FIRST_VERSION(rsh_shadow_desc, active_count);
 RSH_FIRST_VERSION(rsh_find_surfaces_desc, list_count);
 RSH_FIRST_VERSION(rsh_shade_desc, colour);

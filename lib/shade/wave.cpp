@@ -67,10 +67,11 @@ void spawn_branches(Recorder& recorder, const WavePass& pass) {
                 pass.spawned_skip);
 }
 
-void gather_branches(Recorder& recorder, const WavePass& pass, cl_mem next, cl_mem colour) {
+void gather_branches(Recorder& recorder, const WavePass& pass, cl_mem next, cl_mem colour,
+                     cl_mem next_count) {
     recorder.launch(RSH_STAGE_SHADE, surface_kernel(*pass.scene, "rsh_wave_gather"),
                     items_of(recorder.context(), pass.part.count), pass.part, pass.list_count,
-                    pass.branches, next, colour);
+                    pass.branches, next_count, next, colour);
 }
 
 }  // namespace rsh

@@ -38,7 +38,9 @@ size_t wave_count_words(const Context& context, cl_uint width, cl_uint height);
 void count_branches(Recorder& recorder, const WavePass& pass);
 // After count_branches: those rays.
 void spawn_branches(Recorder& recorder, const WavePass& pass);
-// Adds the colours of the next wave to those of the part.
-void gather_branches(Recorder& recorder, const WavePass& pass, cl_mem next, cl_mem colour);
+// Adds the colours of the next wave to those of the part. next_count: one word, 0: there are none;
+// NULL: there are some.
+void gather_branches(Recorder& recorder, const WavePass& pass, cl_mem next, cl_mem colour,
+                     cl_mem next_count = nullptr);
 
 }  // namespace rsh

@@ -29,6 +29,12 @@ inline rsh_status call(const rsh_audit_desc* d, cl_event* e = nullptr) {
 inline rsh_status call(const rsh_spawn_desc* d, cl_event* e = nullptr) {
     return rsh_spawn(device().rsh, device().queue(), d, 0, nullptr, e);
 }
+inline rsh_status call(const rsh_spawn_wave_desc* d, cl_event* e = nullptr) {
+    return rsh_spawn_wave(device().rsh, device().queue(), d, 0, nullptr, e);
+}
+inline rsh_status call(const rsh_gather_wave_desc* d, cl_event* e = nullptr) {
+    return rsh_gather_wave(device().rsh, device().queue(), d, 0, nullptr, e);
+}
 inline rsh_status call(const rsh_shadow_desc* d, cl_event* e = nullptr) {
     return rsh_shadow(device().rsh, device().queue(), d, 0, nullptr, e);
 }

@@ -61,6 +61,8 @@ public:
                 {"rsh_traverse", of(rsh_traverse, valid.traverse())},
                 {"rsh_audit", of(rsh_audit, valid.audit())},
                 {"rsh_spawn", of(rsh_spawn, valid.spawn())},
+                {"rsh_spawn_wave", of(rsh_spawn_wave, valid.spawn_wave())},
+                {"rsh_gather_wave", of(rsh_gather_wave, valid.gather_wave())},
                 {"rsh_shadow", of(rsh_shadow, valid.shadow())},
                 {"rsh_find_surfaces", of(rsh_find_surfaces, valid.find_surfaces())},
                 {"rsh_shade", of(rsh_shade, valid.shade())},

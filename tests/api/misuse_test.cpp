@@ -51,6 +51,8 @@ TEST_F(Misuse, OfStructSizesIsRefusedByEveryCall) {
     refuses_struct_sizes(valid_.traverse());
     refuses_struct_sizes(valid_.audit());
     refuses_struct_sizes(valid_.spawn());
+    refuses_struct_sizes(valid_.spawn_wave());
+    refuses_struct_sizes(valid_.gather_wave());
     refuses_struct_sizes(valid_.shadow());
     refuses_struct_sizes(valid_.find_surfaces());
     refuses_struct_sizes(valid_.shade());
@@ -367,6 +369,48 @@ TEST_F(Misuse, OfSpawnAndShadeIsRefused) {
                    {"list_count", "2 bytes", "4"});
     refuses<Shade>(shade, [](Shade& d) { d.list_count = d.colour; }, RSH_INVALID_VALUE,
                    {"colour", "overlap", "list_count"});
+}
+
+TEST_F(Misuse, OfWavesIsRefused) {
+    using Spawn = rsh_spawn_wave_desc;
+    using Gather = rsh_gather_wave_desc;
+    const auto spawn = valid_.spawn_wave();
+    const auto gather = valid_.gather_wave();
+    const auto refuses_both = [&](auto desc) {
+        using Desc = decltype(desc);
+        refuses<Desc>(desc, [](Desc& d) { d.scene = nullptr; }, RSH_INVALID_VALUE,
+                      {"scene", "NULL"});
+        refuses<Desc>(desc, [](Desc& d) { d.width = 16385; }, RSH_INVALID_VALUE,
+                      {"width", "16385", "16384"});
+        refuses<Desc>(desc, [](Desc& d) { d.capacity = (1u << 28) + 1; }, RSH_INVALID_VALUE,
+                      {"capacity", "268435457", "268435456"});
+        refuses<Desc>(desc, [&](Desc& d) { d.list_count = short_.get(); }, RSH_INVALID_VALUE,
+                      {"height", "8", "0 or 1"});
+        refuses<Desc>(desc, [](Desc& d) { d.branches = nullptr; }, RSH_INVALID_VALUE,
+                      {"branches", "NULL"});
+        refuses<Desc>(desc, [&](Desc& d) { d.branches = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                      {"branches", "4", "512"});
+        refuses<Desc>(desc, [&](Desc& d) { d.spawned_count = short_.get(); },
+                      RSH_BUFFER_TOO_SMALL, {"spawned_count", "4", "8"});
+    };
+    refuses_both(spawn);
+    refuses_both(gather);
+    refuses<Spawn>(spawn, [](Spawn& d) { d.min_weight = -1; }, RSH_INVALID_VALUE,
+                   {"min_weight", "-1"});
+    refuses<Spawn>(spawn, [](Spawn& d) { d.capacity = 65; }, RSH_BUFFER_TOO_SMALL,
+                   {"spawned_rays", "2048", "2080"});
+    refuses<Spawn>(spawn, [&](Spawn& d) { d.spawned_parents = short_.get(); },
+                   RSH_BUFFER_TOO_SMALL, {"spawned_parents", "4", "256"});
+    refuses<Spawn>(spawn, [&](Spawn& d) { d.pixels = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                   {"pixels", "4", "256"});
+    refuses<Spawn>(spawn, [](Spawn& d) { d.spawned_pixels = d.spawned_skip; },
+                   RSH_INVALID_VALUE, {"spawned_pixels", "overlap", "spawned_skip"});
+    refuses<Spawn>(spawn, [&](Spawn& d) { d.scratch = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+                   {"scratch", "4 bytes"});
+    refuses<Gather>(gather, [](Gather& d) { d.colour = d.spawned_colour; }, RSH_INVALID_VALUE,
+                    {"colour", "overlap", "spawned_colour"});
+    refuses<Gather>(gather, [](Gather& d) { d.capacity = 65; }, RSH_BUFFER_TOO_SMALL,
+                    {"spawned_colour", "1024", "1040"});
 }
 
 TEST_F(Misuse, OfShadowsIsRefused) {

@@ -69,6 +69,33 @@ rsh_spawn_desc ValidCalls::spawn() const {
     return desc;
 }
 
+rsh_spawn_wave_desc ValidCalls::spawn_wave() const {
+    auto desc = empty<rsh_spawn_wave_desc>();
+    desc.scene = &scene.desc;
+    desc.width = desc.height = kSide;
+    desc.rays = rays.get();
+    desc.hits = in_hits.get();
+    desc.capacity = kRays;
+    desc.branches = branches.get();
+    desc.spawned_rays = out_rays.get();
+    desc.spawned_weights = weights.get();
+    desc.spawned_skip = occlusion.get();
+    desc.spawned_count = spawned_count.get();
+    return desc;
+}
+
+rsh_gather_wave_desc ValidCalls::gather_wave() const {
+    auto desc = empty<rsh_gather_wave_desc>();
+    desc.scene = &scene.desc;
+    desc.width = desc.height = kSide;
+    desc.capacity = kRays;
+    desc.branches = in_branches.get();
+    desc.spawned_count = in_spawned_count.get();
+    desc.spawned_colour = weights.get();
+    desc.colour = colour.get();
+    return desc;
+}
+
 rsh_shadow_desc ValidCalls::shadow() const {
     auto desc = empty<rsh_shadow_desc>();
     desc.scene = &scene.desc;
@@ -122,11 +149,14 @@ rsh_reduce_desc ValidCalls::reduce() const {
 ::testing::AssertionResult ValidCalls::outputs_untouched() const {
     device().queue.finish();
     const ::testing::AssertionResult results[] = {
-        out_rays.untouched(), hits.untouched(),   occlusion.untouched(), colour.untouched(),
-        weights.untouched(),  bounds.untouched(), nodes.untouched(),     packed.untouched(),
-        count.untouched(),    report.untouched(), surfaces.untouched()};
-    const char* const names[] = {"rays",  "hits",   "occlusion", "colour", "weights", "bounds",
-                                 "nodes", "packed", "count",     "report", "surfaces"};
+        out_rays.untouched(),     hits.untouched(),     occlusion.untouched(),
+        colour.untouched(),       weights.untouched(),  bounds.untouched(),
+        nodes.untouched(),        packed.untouched(),   count.untouched(),
+        report.untouched(),       surfaces.untouched(), branches.untouched(),
+        spawned_count.untouched()};
+    const char* const names[] = {"rays",     "hits",     "occlusion",    "colour", "weights",
+                                 "bounds",   "nodes",    "packed",       "count",  "report",
+                                 "surfaces", "branches", "spawned_count"};
     for (size_t i = 0; i < std::size(results); ++i)
         if (!results[i])
             return ::testing::AssertionFailure() << names[i] << ": " << results[i].message();

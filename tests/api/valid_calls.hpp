@@ -21,6 +21,10 @@ struct ValidCalls {
     Buffer<rsh_hit> in_hits{std::vector<rsh_hit>(kRays, rsh_hit{1, 0, 0, 0})};
     Buffer<rsh_hit> hits{kRays};
     Buffer<rsh_surface> surfaces{kRays};
+    Buffer<uint32_t> branches{2 * kRays};
+    Buffer<uint32_t> in_branches{std::vector<uint32_t>(2 * kRays, RSH_NO_RAY)};
+    Buffer<uint32_t> spawned_count{2};
+    Buffer<uint32_t> in_spawned_count{std::vector<uint32_t>(2, 0)};
     Buffer<uint32_t> occlusion{kRays};
     Buffer<cl_float4> colour{kRays};
     Buffer<cl_float4> weights{kRays};
@@ -39,6 +43,8 @@ struct ValidCalls {
     rsh_traverse_desc traverse() const;  // brute force: needs no nodes
     rsh_audit_desc audit() const;
     rsh_spawn_desc spawn() const;
+    rsh_spawn_wave_desc spawn_wave() const;
+    rsh_gather_wave_desc gather_wave() const;
     rsh_shadow_desc shadow() const;
     rsh_find_surfaces_desc find_surfaces() const;
     rsh_shade_desc shade() const;

@@ -197,6 +197,7 @@ void EveryCall::add_queries(std::vector<Call>& calls) const {
     calls.push_back(query("rsh_build_query", rsh_build_query, build(true)));
     for (const cl_uint engine : {RSH_ENGINE_TILES, RSH_ENGINE_PAPER, RSH_ENGINE_PAPER_FAITHFUL})
         calls.push_back(query("rsh_traverse_query", rsh_traverse_query, traverse(engine)));
+    calls.push_back(query("rsh_spawn_wave_query", rsh_spawn_wave_query, valid_.spawn_wave()));
     calls.push_back(query("rsh_shadow_query", rsh_shadow_query, valid_.shadow()));
     calls.push_back(query("rsh_frame_query", rsh_frame_query, frame()));
     calls.push_back(query("rsh_reduce_query", rsh_reduce_query, valid_.reduce()));
@@ -221,6 +222,8 @@ void EveryCall::add_passes(std::vector<Call>& calls) const {
     calls.push_back(pass("rsh_traverse with bounds of its own", rsh_traverse, own_bounds));
     calls.push_back(pass("rsh_audit", rsh_audit, valid_.audit()));
     calls.push_back(pass("rsh_spawn", rsh_spawn, valid_.spawn()));
+    calls.push_back(pass("rsh_spawn_wave", rsh_spawn_wave, valid_.spawn_wave()));
+    calls.push_back(pass("rsh_gather_wave", rsh_gather_wave, valid_.gather_wave()));
     calls.push_back(pass("rsh_shadow", rsh_shadow, valid_.shadow()));
     calls.push_back(pass("rsh_find_surfaces", rsh_find_surfaces, valid_.find_surfaces()));
     calls.push_back(pass("rsh_shade", rsh_shade, valid_.shade()));
