@@ -14,14 +14,14 @@ constexpr uint32_t kBounces = 3;
 
 // The rays of a bounce, and what they see.
 struct Wave {
-    explicit Wave(size_t rays)
-        : rays(rays),
-          hits(rays),
-          weights(rays),
-          colour(rays),
-          skip(rays),
-          occlusion(rays),
-          branches(2 * rays),
+    explicit Wave(size_t most)
+        : rays(most),
+          hits(most),
+          weights(most),
+          colour(most),
+          skip(most),
+          occlusion(most),
+          branches(2 * most),
           count(2) {}
 
     Buffer<rsh_ray> rays;
