@@ -24,6 +24,15 @@ surface find_surface(__global const float* vertices, __global const uint* indice
     return at;
 }
 
+/* base^exponent, by squares. */
+float whole_power(float base, uint exponent) {
+    float power = 1.0f;
+    for (; exponent; exponent >>= 1, base *= base)
+        if (exponent & 1) power *= base;
+    return power;
+}
+
+/* Highlights have whole exponents: exp2 and log2 took half of this kernel's time. */
 float3 light_sent_back(surface at, __global const rsh_material* material,
                        __global const rsh_light* light, float3 to_viewer) {
     const float3 path = light->position.xyz - at.point;
@@ -34,7 +43,7 @@ float3 light_sent_back(surface at, __global const rsh_material* material,
     const float4 fall = light->attenuation;
     const float share = 1.0f / (fall.x + distance * (fall.y + distance * fall.z));
     const float halfway = dot(at.normal, fast_normalize(to_light + to_viewer));
-    const float highlight = exp2(material->specular.w * log2(fmin(fmax(halfway, 0.0f), 1.0f)));
+    const float highlight = whole_power(fmax(halfway, 0.0f), (uint)material->specular.w);
     return share * light->colour.xyz *
            (cosine * material->diffuse.xyz + highlight * material->specular.xyz);
 }
