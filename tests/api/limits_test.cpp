@@ -215,7 +215,8 @@ TEST_F(Queries, TakeTheStructsOfVersion0_1) {
 }
 
 TEST_F(Queries, OfFeaturesRefuseStructSizes) {
-    for (const size_t size : {size_t{0}, sizeof(rsh_scene) - 1, sizeof(rsh_scene) + 8}) {
+    for (const size_t size :
+         {size_t{0}, offsetof(rsh_scene, features), sizeof(rsh_scene) + 8}) {
         rsh_scene scene = valid_.scene.desc;
         scene.struct_size = size;
         scene.features = 77;
