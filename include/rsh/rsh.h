@@ -537,6 +537,10 @@ typedef struct rsh_traverse_desc {
                               NULL: none for all rays                                         */
     cl_mem list_count;     /* in: as in rsh_build_desc; the same number, if it took one: nodes
                               of another count as made for another list                       */
+    cl_mem tests_per_ray;  /* in/out: width * height x cl_uint, grows by the boxes and triangles that
+                              each active ray was tested against, alone or with others of its packet,
+                              for maps of where rays are dear. Engines tiles, which compiles a
+                              program of its own for it, and brute_force. NULL: not counted    */
 } rsh_traverse_desc;
 
 #define RSH_MIN_BUDGET 65536

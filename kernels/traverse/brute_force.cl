@@ -3,6 +3,7 @@
  *   skip       in      a triangle per ray that it does not hit; NULL: none
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
+ *   tests_per_ray  in/out  grows by the triangles that each ray was tested against; may be NULL
  */
 #include "rays/levels.h"
 #include "traverse/brute_force.h"
@@ -11,7 +12,8 @@ __kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
                               __global const uint* indices, __global const rsh_ray* rays,
                               __global const uint* skip, uint ray_count,
                               __global const uint* list_count, __global rsh_hit* hits,
-                              __global uint* occlusion, uint occlusion_bit)
+                              __global uint* occlusion, uint occlusion_bit,
+                              __global uint* tests_per_ray)
 {
     const uint first = get_global_id(0) * RSH_RAYS_PER_ITEM;
     const uint count = counted_rays(ray_count, list_count);
@@ -27,5 +29,7 @@ __kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
             hits[first + i] = hit_at(&found, i, rays[first + i]);
         else if (found.primitive[i] != RSH_NO_HIT)
             occlusion[first + i] |= occlusion_bit;
+        if (tests_per_ray && is_active(rays[first + i]))
+            tests_per_ray[first + i] += mesh.triangle_count;
     }
 }

@@ -55,6 +55,9 @@ void check_shape(const rsh_traverse_desc& desc) {
     check_list_count(desc);
     check_query(desc);
     check_budget(desc.budget);
+    const Engine& engine = find_engine(desc.engine);
+    require(!desc.tests_per_ray || engine.counts_tests_per_ray(), "tests_per_ray: engine",
+            engine.name(), "tiles or brute_force");
 }
 
 void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
@@ -65,6 +68,7 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
     buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
+    buffers.optional_out("tests_per_ray", desc.tests_per_ray, rays * 4);
     if (engine.node_shape() != RSH_SHAPE_DEFAULT) {
         const NodeShape& shape = find_shape(desc.shape);
         buffers.optional_in("bounds", desc.bounds, bounds_for(desc.shape).bytes(desc.geometry));

@@ -14,6 +14,7 @@ public:
     cl_uint id() const noexcept override { return RSH_ENGINE_BRUTE_FORCE; }
     const char* name() const noexcept override { return "brute_force"; }
     cl_uint node_shape() const noexcept override { return RSH_SHAPE_DEFAULT; }
+    bool counts_tests_per_ray() const noexcept override { return true; }
 
     Layout scratch(const Context& context, const rsh_traverse_desc&,
                    BoundsFrom) const override {
@@ -29,7 +30,7 @@ public:
                         recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
                         mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
                         desc.skip, rays, desc.list_count, desc.hits, desc.occlusion,
-                        occlusion_mask(desc));
+                        occlusion_mask(desc), desc.tests_per_ray);
     }
 };
 

@@ -25,6 +25,8 @@ public:
     virtual cl_uint node_shape() const noexcept = 0;
     // Whether its kernels are made for what the device reports; only then it may be the default.
     virtual bool suits(const DeviceCaps&) const noexcept { return true; }
+    // Whether it takes rsh_traverse_desc::tests_per_ray.
+    virtual bool counts_tests_per_ray() const noexcept { return false; }
     // Elements of the longest stream that it reduces; 0: it takes no strategy.
     virtual cl_uint longest_stream(const rsh_traverse_desc&) const { return 0; }
     // Reads none of the descriptor's buffers, not even whether they are there.

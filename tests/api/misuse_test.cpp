@@ -152,6 +152,19 @@ TEST_F(Misuse, OfListsCountedOnTheDevice) {
                       {"hits", "overlap", "list_count"});
 }
 
+TEST_F(Misuse, OfTestsPerRayIsRefused) {
+    using Traverse = rsh_traverse_desc;
+    auto desc = valid_.traverse();
+    desc.engine = RSH_ENGINE_BRUTE_FORCE;
+    refuses<Traverse>(desc, [&](Traverse& d) { d.tests_per_ray = short_.get(); },
+                      RSH_BUFFER_TOO_SMALL, {"tests_per_ray", "4", "256"});
+    refuses<Traverse>(desc, [](Traverse& d) { d.tests_per_ray = d.hits; }, RSH_INVALID_VALUE,
+                      {"tests_per_ray", "overlap", "hits"});
+    refuses<Traverse>(
+        desc, [](Traverse& d) { d.engine = RSH_ENGINE_PAPER, d.tests_per_ray = d.hits; },
+        RSH_INVALID_VALUE, {"tests_per_ray", "paper", "tiles or brute_force"});
+}
+
 TEST_F(Misuse, OfReduceIsRefused) {
     using Desc = rsh_reduce_desc;
     const auto desc = valid_.reduce();

@@ -27,6 +27,7 @@ public:
         desc.geometry = mesh.geometry();
         desc.rays = rays_.get();
         desc.skip = rays.skip.empty() ? nullptr : skip_.get();
+        desc.tests_per_ray = options.tests_per_ray;
         desc.width = rays.width;
         desc.height = rays.height;
         desc.engine = options.engine;

@@ -86,8 +86,9 @@ struct TraceOptions {
     bool converging = false;                      // nodes bound the rays from t = 1
     std::function<void()> before_batch = {};      // called on this thread
     rsh_context context = nullptr;                // null: the device's
-    std::optional<uint32_t> list_count = {};      // tells the device, not the host, of so many
-    std::optional<uint32_t> nodes_count = {};     // the same for the nodes; none: the same
+    cl_mem tests_per_ray = nullptr;
+    std::optional<uint32_t> list_count = {};   // tells the device, not the host, of so many
+    std::optional<uint32_t> nodes_count = {};  // the same for the nodes; none: the same
 };
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

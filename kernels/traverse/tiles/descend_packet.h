@@ -21,7 +21,7 @@ static void visit_box_by_block(traversal_state* state, block_packet* block,
     ray_packet* packet = packet_of(state, block->b);
     uint rays = 0; /* not known yet */
     if (packet->is_fit) {
-        state->node_tests += 16;
+        count_for_blocks(state, &state->node_tests, 1u << block->b, 1);
         rays = rays_meeting(packet, block->sign, box->low, box->high);
         const uint few = RSH_SPLIT_RAYS + block->wasted;
         block->wasted = rays ? block->wasted - (block->wasted > 0) : block->wasted + 1;
@@ -35,7 +35,8 @@ static void visit_box_by_block(traversal_state* state, block_packet* block,
     if (is_leaf(box->child))
         intersect_leaf_by_block(state, block->b, block->sign, box, rays);
     else
-        push_boxes_met(state, interval_packet_of_block(state, block->b), box->child);
+        push_boxes_met(state, interval_packet_of_block(state, block->b), 1u << block->b,
+                       box->child);
 }
 
 /* Visits what lies on the stack above `bottom`. */

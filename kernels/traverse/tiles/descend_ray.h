@@ -20,14 +20,14 @@ static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
         if (near_of(top) > ray.limit) continue;
         const uint at = name_of(top);
         if (is_leaf(at)) {
-            state->ray_tests += 16;
+            count_for_ray(state, &state->ray_tests, b, k);
             changed |=
                 intersect_leaf(&ray, leaf_of(state, at), (at & RSH_SCALED) != 0, state->is_any);
             continue;
         }
         __global const float* node = node_of(state, at);
         float near[16];
-        state->node_tests += 16;
+        count_for_ray(state, &state->node_tests, b, k);
         const uint met = boxes_met_by_ray(&ray, node, near);
         state->stack_size +=
             sort_boxes(met, near, 0, (__global const uint*)node + RSH_CHILDREN_AT,

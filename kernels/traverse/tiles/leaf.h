@@ -34,7 +34,7 @@ static void load_leaf(const traversal_state* state, const bvh_child* box, loaded
 static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf, uint k, uint b)
 {
     const leaf_triangle triangle = leaf_triangle_at(leaf->corners, k, leaf->is_scaled);
-    state->ray_tests += 16;
+    count_for_blocks(state, &state->ray_tests, 1u << b, 1);
     if (intersect_packet(packet_of(state, b), &triangle, state->is_any))
         lower_block_limit(state, b);
 }
@@ -47,7 +47,7 @@ static void intersect_by_rays(traversal_state* state, const loaded_leaf* leaf, u
     for (; rays; rays &= rays - 1) {
         const uint k = lowest_bit(rays);
         single_ray ray = single_ray_of(packet, k);
-        state->ray_tests += 16;
+        count_for_ray(state, &state->ray_tests, b, k);
         if (!intersect_leaf(&ray, leaf->corners, leaf->is_scaled, state->is_any)) continue;
         store_single_ray(&ray, packet, k);
         changed = true;
@@ -61,12 +61,12 @@ static void intersect_loaded_leaf(traversal_state* state, const loaded_leaf* lea
                                   const int* sign, const bvh_child* box, uint rays)
 {
     ray_packet* packet = packet_of(state, b);
-    state->node_tests += 16;
+    count_for_blocks(state, &state->node_tests, 1u << b, 16);
     uint triangles = boxes_met(interval_packet_of_block(state, b), &leaf->boxes, 0);
     const uint count = popcount(triangles);
     if (count > RSH_FEW_TRIANGLES && packet->is_fit) {
         if (!rays) {
-            state->node_tests += 16;
+            count_for_blocks(state, &state->node_tests, 1u << b, 1);
             rays = rays_meeting(packet, sign, box->low, box->high);
         }
         if (popcount(rays) < count) {
@@ -93,7 +93,7 @@ static void intersect_leaf_by_blocks(traversal_state* state, const interval_pack
 {
     loaded_leaf leaf;
     load_leaf(state, box, &leaf);
-    state->node_tests += 16;
+    count_for_blocks(state, &state->node_tests, blocks, 16);
     uint triangles = boxes_met(common, &leaf.boxes, 0);
     if (popcount(triangles) >= popcount(blocks)) {
         for (; blocks; blocks &= blocks - 1)
@@ -107,7 +107,7 @@ static void intersect_leaf_by_blocks(traversal_state* state, const interval_pack
             low[axis] = lane_of(leaf.boxes.low[axis], k);
             high[axis] = lane_of(leaf.boxes.high[axis], k);
         }
-        state->node_tests += 16;
+        count_for_blocks(state, &state->node_tests, blocks, 1);
         uint met = packets_meeting(&state->blocks, common, low, high) & blocks;
         for (; met; met &= met - 1) intersect_triangle(state, &leaf, k, lowest_bit(met));
     }

@@ -6,6 +6,10 @@
 
 #include "traverse/tiles/single_ray.h"
 
+#ifndef RSH_TESTS_PER_RAY
+#define RSH_TESTS_PER_RAY 0 /* 1: tests are counted ray by ray as well */
+#endif
+
 typedef struct bvh_view {
     __global const float* words;
     bvh_layout layout;
@@ -30,9 +34,26 @@ typedef struct traversal_state {
     interval_packet16 blocks;
     ray_packet packet[16];
     ulong node_tests, ray_tests;
+    /* With RSH_TESTS_PER_RAY: that all rays of a block took part in; that a ray did alone. */
+    uint tests_of_block[RSH_TESTS_PER_RAY ? 16 : 1], tests_of_ray[RSH_TESTS_PER_RAY ? 256 : 1];
     uint stack_size;
     ulong stack[RSH_STACK]; /* bits of the t from which on, then what: near_of, name_of */
 } traversal_state;
+
+/* Sixteen tests of a stream, in which each ray of these blocks takes part `each` times. */
+static void count_for_blocks(traversal_state* state, ulong* tests, uint blocks, uint each)
+{
+    *tests += 16;
+    for (uint b = 0; RSH_TESTS_PER_RAY && b < 16; ++b)
+        if (blocks >> b & 1) state->tests_of_block[b] += each;
+}
+
+/* Sixteen tests of ray k of block b. */
+static void count_for_ray(traversal_state* state, ulong* tests, uint b, uint k)
+{
+    *tests += 16;
+    if (RSH_TESTS_PER_RAY) state->tests_of_ray[16 * b + k] += 16;
+}
 
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
 static bool is_single(uint bits) { return (bits & (bits - 1)) == 0; }
@@ -112,13 +133,14 @@ static uint sort_boxes(uint met, const float* near, uint node, __global const ui
     return count;
 }
 
-/* Pushes the boxes of a node that the packet can meet. */
-static void push_boxes_met(traversal_state* state, const interval_packet* packet, uint node)
+/* Pushes the boxes of a node that the packet, of these blocks, can meet. */
+static void push_boxes_met(traversal_state* state, const interval_packet* packet, uint blocks,
+                           uint node)
 {
     float near[16];
     boxes16 boxes;
     load_boxes(node_of(state, node), &boxes);
-    state->node_tests += 16;
+    count_for_blocks(state, &state->node_tests, blocks, 16);
     const uint met = boxes_met(packet, &boxes, near);
     state->stack_size += sort_boxes(met, near, node, 0, state->stack + state->stack_size);
 }

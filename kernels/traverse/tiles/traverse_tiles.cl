@@ -9,6 +9,7 @@
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
  *   counts     in/out  if is_counting: tests of nodes, of rays
+ *   tests_per_ray  in/out  with RSH_TESTS_PER_RAY: grows by the tests that each ray took part in
  * Each decision below only chooses between orders of the same tests, or leaves out tests that
  * cannot succeed. A work-item needs no memory but its stack, whose size is known.
  */
@@ -52,14 +53,14 @@ static void lower_limit(const traversal_state* state, tile_packet* packet)
 
 static void visit_box(traversal_state* state, tile_packet* packet, const bvh_child* box)
 {
-    state->node_tests += 16;
+    count_for_blocks(state, &state->node_tests, packet->blocks, 1);
     uint blocks = packets_meeting(&state->blocks, &packet->intervals, box->low, box->high) &
                   packet->blocks;
     const uint few = RSH_SPLIT_BLOCKS + packet->wasted;
     packet->wasted = blocks ? packet->wasted - (packet->wasted > 0) : packet->wasted + 1;
     if (!blocks) return;
     if (popcount(blocks) > few && !is_leaf(box->child)) {
-        push_boxes_met(state, &packet->intervals, box->child);
+        push_boxes_met(state, &packet->intervals, packet->blocks, box->child);
         return;
     }
     if (popcount(blocks) > few)
@@ -78,7 +79,7 @@ static void traverse(traversal_state* state, uint blocks, const packet_bounds* b
 {
     tile_packet packet = tile_packet_of(state, blocks, bounds);
     lower_limit(state, &packet);
-    push_boxes_met(state, &packet.intervals, state->scene->top);
+    push_boxes_met(state, &packet.intervals, blocks, state->scene->top);
     if (is_single(blocks)) {
         block_packet block = {lowest_bit(blocks), packet.sign, 0};
         traverse_block(state, &block, 0);
@@ -162,6 +163,12 @@ static uint begin_tile(traversal_state* state)
     return active;
 }
 
+static void clear_tests_per_ray(traversal_state* state)
+{
+    for (uint b = 0; RSH_TESTS_PER_RAY && b < 16; ++b) state->tests_of_block[b] = 0;
+    for (uint i = 0; RSH_TESTS_PER_RAY && i < 256; ++i) state->tests_of_ray[i] = 0;
+}
+
 /* The tile finds nothing. */
 static uint begin_nothing(traversal_state* state)
 {
@@ -196,13 +203,24 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
     }
 }
 
+/* The tests that each active ray took part in. */
+static void add_tests_per_ray(const traversal_state* state, __global uint* tests_per_ray)
+{
+    for (uint i = 0; RSH_TESTS_PER_RAY && i < 256; ++i) {
+        const uint ray = ray_of(state->tile, i / 16, i % 16);
+        if (ray != RSH_NO_RAY && is_active(state->rays->rays[ray]))
+            tests_per_ray[ray] += state->tests_of_block[i / 16] + state->tests_of_ray[i];
+    }
+}
+
 __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, mesh_view mesh,
                                  __global const float* vertices, __global const uint* indices,
                                  ray_levels shape, __global const uint* list_count,
                                  __global const rsh_ray* rays, __global const uint* skip,
                                  __global const float* nodes, __global rsh_hit* hits,
                                  __global uint* occlusion, uint occlusion_bit, uint is_counting,
-                                 __global uint* counts, volatile __global uint* wrong)
+                                 __global uint* counts, __global uint* tests_per_ray,
+                                 volatile __global uint* wrong)
 {
     const ray_levels levels = counted_levels(shape, list_count);
     const uint me = my_element(tile_count(levels));
@@ -217,6 +235,7 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
     state.rays = &left;
     state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     state.is_any = occlusion_bit != 0;
+    clear_tests_per_ray(&state);
     const bool is_right =
         are_right(!layout.triangles || are_made_of(bvh, layout),
                   nodes_are_of(shape, levels.width[0], RSH_BOXES_MADE, nodes), wrong);
@@ -228,6 +247,7 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
         traverse_tile(&state, active);
     }
     store_answers(&state, hits, occlusion, occlusion_bit);
+    add_tests_per_ray(&state, tests_per_ray);
     if (!is_counting) return;
     add_to_count(counts, state.node_tests);
     add_to_count(counts + 2, state.ray_tests);

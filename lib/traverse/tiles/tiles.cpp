@@ -21,6 +21,12 @@ void count_tests(Recorder& recorder, cl_mem counts) {
     });
 }
 
+// One that counts ray by ray is a program of its own: the other one pays nothing for it.
+KernelName traversal_kernel(const rsh_traverse_desc& desc) {
+    return {"programs/tiles", "rsh_traverse_tiles",
+            desc.tests_per_ray ? " -D RSH_TESTS_PER_RAY=1" : ""};
+}
+
 class Tiles final : public Engine {
 public:
     cl_uint id() const noexcept override { return RSH_ENGINE_TILES; }
@@ -28,6 +34,7 @@ public:
     cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
     // A work-item holds a whole tile's packets, kilobytes of private memory.
     bool suits(const DeviceCaps& caps) const noexcept override { return caps.is_cpu; }
+    bool counts_tests_per_ray() const noexcept override { return true; }
 
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
                    BoundsFrom from) const override {
@@ -46,13 +53,14 @@ public:
         report_progress(desc, 0, 1);
         if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCountWords * 4);
         const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
-        recorder.launch(RSH_STAGE_INTERSECT, {"programs/tiles", "rsh_traverse_tiles"},
+        recorder.launch(RSH_STAGE_INTERSECT, traversal_kernel(desc),
                         recorder.serial_range(node_count(shape, 2)),
                         bvh_layout_of(desc.geometry.triangle_count), bounds,
                         mesh_view_of(desc.geometry), desc.geometry.vertices,
                         desc.geometry.indices, shape, desc.list_count, desc.rays, desc.skip,
                         desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
-                        cl_uint{is_counting}, memory["counts"], recorder.wrong_buffers());
+                        cl_uint{is_counting}, memory["counts"], desc.tests_per_ray,
+                        recorder.wrong_buffers());
         if (is_counting) count_tests(recorder, memory["counts"]);
     }
 };

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/tests_per_ray.hpp"
+
 namespace render {
 namespace {
 
 struct PrimaryHits {
     std::vector<rsh_ray> rays;
     std::vector<rsh_hit> hits;
+    std::vector<uint32_t> tests;
 };
 
 class Rasterizer {
@@ -18,7 +21,8 @@ public:
         : device_(device),
           picture_(picture),
           rays_(device.buffer(sizeof(rsh_ray) * picture.width * kLayerRows)),
-          hits_(device.buffer(sizeof(rsh_hit) * picture.width * kLayerRows)) {}
+          hits_(device.buffer(sizeof(rsh_hit) * picture.width * kLayerRows)),
+          tests_per_ray_(device, picture, kLayerRows) {}
 
     void find(uint32_t first_row, uint32_t rows, PrimaryHits& found) const {
         rsh_rasterize_desc desc{};
@@ -34,6 +38,7 @@ public:
                 "rsh_rasterize");
         read(rays_, found.rays, rows);
         read(hits_, found.hits, rows);
+        found.tests = tests_per_ray_.count(rays_, rows);
     }
 
 private:
@@ -47,6 +52,7 @@ private:
     const Device& device_;
     const rsh_frame_desc& picture_;
     cl::Buffer rays_, hits_;
+    TestsPerRay tests_per_ray_;
 };
 
 // Turned to the side that the ray comes from.
@@ -91,8 +97,10 @@ void render_layers(const Device& device, const World& world, const rsh_frame_des
         strip.rows = std::min(kLayerRows, picture.height - row);
         rasterizer.find(row, strip.rows, found);
         strip.pixels.resize(found.hits.size());
-        for (size_t i = 0; i < found.hits.size(); ++i)
+        for (size_t i = 0; i < found.hits.size(); ++i) {
             strip.pixels[i] = pixel_of(world, found.rays[i], found.hits[i]);
+            strip.pixels[i].tests = found.tests[i];
+        }
         take(strip);
     }
 }

@@ -20,7 +20,7 @@ constexpr Channel kChannels[] = {
     {"N.Y", OIIO::TypeDesc::FLOAT},       {"N.Z", OIIO::TypeDesc::FLOAT},
     {"P.X", OIIO::TypeDesc::FLOAT},       {"P.Y", OIIO::TypeDesc::FLOAT},
     {"P.Z", OIIO::TypeDesc::FLOAT},       {"primitive", OIIO::TypeDesc::UINT32},
-    {"material", OIIO::TypeDesc::UINT32},
+    {"material", OIIO::TypeDesc::UINT32}, {"tests", OIIO::TypeDesc::UINT32},
 };
 static_assert(sizeof(LayerPixel) == 4 * std::size(kChannels), "no gaps");
 

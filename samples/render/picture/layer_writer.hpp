@@ -25,6 +25,7 @@ struct LayerPixel {
     glm::vec3 position{0.0f};                              // [world]
     uint32_t primitive = kNothing;
     uint32_t material = kNothing;
+    uint32_t tests = 0;  // boxes and triangles that its ray was tested against
 };
 
 struct LayerStrip {
@@ -36,7 +37,8 @@ struct LayerStrip {
 // Throws std::runtime_error unless `path` ends in .exr.
 void require_layer_format(const std::string& path);
 
-// The channels Z, N.X, N.Y, N.Z, P.X, P.Y, P.Z (floats), primitive and material (32-bit integers). All
+// The channels Z, N.X, N.Y, N.Z, P.X, P.Y, P.Z (floats), primitive, material
+// and tests (32-bit integers). All
 // functions throw std::runtime_error, which begins with `path`.
 class LayerWriter {
 public:

@@ -63,6 +63,7 @@ struct Pixel {
     float depth = std::numeric_limits<float>::infinity();
     std::array<float, 3> normal{}, position{};
     uint32_t primitive = 0xffffffffu, material = 0xffffffffu;
+    uint32_t tests = 0;
 };
 
 glm::dvec3 direction_of(uint32_t x, uint32_t y) {
@@ -138,6 +139,7 @@ public:
         }
         pixel.primitive = channel<uint32_t>(i, "primitive", OIIO::TypeDesc::UINT32);
         pixel.material = channel<uint32_t>(i, "material", OIIO::TypeDesc::UINT32);
+        pixel.tests = channel<uint32_t>(i, "tests", OIIO::TypeDesc::UINT32);
         return pixel;
     }
 
@@ -174,6 +176,10 @@ std::vector<int> expect_right_pixels(const Layers& layers, double shift) {
             SCOPED_TRACE("pixel " + std::to_string(x) + ", " + std::to_string(y));
             EXPECT_EQ(found.primitive, right.pixel.primitive);
             EXPECT_EQ(found.material, right.pixel.material);
+            if (found.primitive != 0xffffffffu) {
+                EXPECT_GE(found.tests, 17u) << "a node's boxes and a triangle";
+            }
+            EXPECT_LT(found.tests, 1000u);
             if (std::isfinite(right.distance))
                 EXPECT_NEAR(found.depth, right.pixel.depth, 1e-5);
             else
