@@ -78,7 +78,9 @@ public:
                      const RowSettings& settings)
         : run_{run, devices, settings, {}},
           shelf_(run.device),
-          progress_(selection.frames.size() + selection.builds.size()) {
+          progress_(selection.frames.size() + selection.builds.size()) {}
+
+    void measure(const Selection& selection) {
         for (const auto& one : selection.frames)
             start(one.row, one.columns, [&](SceneOnDevice& scene) {
                 measure_row(run_, scene, one.row, one.columns);
@@ -169,8 +171,10 @@ void FrameSuite::run(const Run& run) {
     const Selection selection = rows_ == "device" ? select_device(columns, filter_)
                                                   : select(columns, filter_, run.quick);
     if (lists_) return list(selection);
-    FrameMeasurement(run, devices_of(run.device, widths_), selection,
-                     {is_brief ? 0.7 : 3.0, is_brief ? size_t{3} : size_t{5}});
+    const DevicesByWidth devices = devices_of(run.device, widths_);
+    FrameMeasurement(run, devices, selection,
+                     {is_brief ? 0.7 : 3.0, is_brief ? size_t{3} : size_t{5}})
+        .measure(selection);
     for (const Case& summary : summarize(run.results.cases())) {
         fmt::print("{}", as_text(summary));
         run.results.add(summary);
