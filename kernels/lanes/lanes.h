@@ -109,4 +109,10 @@ static uint lane_bits_by_tree(int16 mask)
 #endif
 #endif
 
+/* The mask that has these bits. */
+static intv mask_of_bits(uint bits)
+{
+    return (((intv)((int)bits) >> RSH_LANES) & (intv)(1)) != (intv)(0);
+}
+
 #endif

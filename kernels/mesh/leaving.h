@@ -115,10 +115,4 @@ static float triangle_extent(triangle_points p)
     return largest3(fmax(p.v0, fmax(p.v1, p.v2)) - fmin(p.v0, fmin(p.v1, p.v2)));
 }
 
-/* The mask that has these bits. */
-static intv mask_of_bits(uint bits)
-{
-    return (((intv)((int)bits) >> RSH_LANES) & (intv)(1)) != (intv)(0);
-}
-
 #endif

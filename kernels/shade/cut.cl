@@ -81,7 +81,7 @@ __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
             if (cut == 0) continue;
             const float3v seen = cut_colours(&light, &at, &from, kind, cut);
             sum =
-                select_v(sum, sum_v(sum, product_v(at.weight[kind], seen)), lanes_of_bits(cut));
+                select_v(sum, sum_v(sum, product_v(at.weight[kind], seen)), mask_of_bits(cut));
         }
         add_to_colours(sum, index, found, colour);
     }

@@ -42,7 +42,7 @@ static void store_surfaces(const ray_lanes* block, const surface_lanes* surface,
                            float3v texture, const floatv* uv, uint found, const uint* index,
                            __global rsh_surface* surfaces)
 {
-    const intv is_found = lanes_of_bits(found);
+    const intv is_found = mask_of_bits(found);
     const floatv zero = (floatv)(0.0f), one = (floatv)(1.0f);
     floatv row[RSH_SURFACE_ROWS][4];
     put_vector(surface->point, block->t, is_found, row[0]);

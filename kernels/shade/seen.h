@@ -97,13 +97,13 @@ static float3v see_all_but(const seen_block* block, const look_buffers* look,
             if (shadow_lights >> k & 1) continue;
             const uint bits = block->found & open_lanes(hidden, k);
             const seen_light light = see_light(block, look->lights[k], bits);
-            seen = select_v(seen, sum_v(seen, light.colour), lanes_of_bits(light.bits));
+            seen = select_v(seen, sum_v(seen, light.colour), mask_of_bits(light.bits));
         }
     }
     const uint nothing = block->active & ~block->found;
     if (nothing)
         seen = select_v(see_environment(look, &block->rays, nothing), seen,
-                        lanes_of_bits(block->found));
+                        mask_of_bits(block->found));
     return seen;
 }
 
@@ -125,7 +125,7 @@ static colour_lanes load_sums(const uint* index, bool is_first, __global const f
 
 static void add_seen(float3v seen, uint bits, colour_lanes* sums)
 {
-    const intv is_seen = lanes_of_bits(bits);
+    const intv is_seen = mask_of_bits(bits);
     sums->rgba[0] = select(sums->rgba[0], sums->rgba[0] + seen.x, is_seen);
     sums->rgba[1] = select(sums->rgba[1], sums->rgba[1] + seen.y, is_seen);
     sums->rgba[2] = select(sums->rgba[2], sums->rgba[2] + seen.z, is_seen);

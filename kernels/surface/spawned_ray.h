@@ -14,7 +14,7 @@ typedef struct sent_rays {
 /* v and w of the lanes in `bits`; of the others 0 and w of none. */
 static void put_rows(float3v v, float w, uint bits, float w_of_none, floatv* row)
 {
-    const intv is_put = lanes_of_bits(bits);
+    const intv is_put = mask_of_bits(bits);
     const float3v put = select_v(lanes_of((float3)(0.0f)), v, is_put);
     row[0] = put.x;
     row[1] = put.y;

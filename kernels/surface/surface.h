@@ -80,12 +80,6 @@ static float3v load_v(float (*row)[RSH_WIDTH])
     return (float3v){load_lanes(row[0]), load_lanes(row[1]), load_lanes(row[2])};
 }
 
-/* The mask that has these bits. */
-static intv lanes_of_bits(uint bits)
-{
-    return (((intv)((int)bits) >> RSH_LANES) & (intv)(1)) != (intv)(0);
-}
-
 /* A bit for each lane that has a ray. */
 static uint lanes_with_ray(const uint* index)
 {
@@ -98,7 +92,7 @@ static void fill_lanes(uintv number, uint bits, uint* filled)
 {
     store_lanes(number, filled);
     const uint first = filled[popcount((bits & -bits) - 1)];
-    store_lanes(select((uintv)(first), number, lanes_of_bits(bits)), filled);
+    store_lanes(select((uintv)(first), number, mask_of_bits(bits)), filled);
 }
 
 /* RSH_WIDTH rays in a row; RSH_NO_RAY: from `end` on. */
@@ -124,7 +118,7 @@ static void load_rays(const uint* index, __global const rsh_ray* rays,
     uint filled[RSH_WIDTH];
     floatv origin[4], direction[4], hit[4];
     const uint bits = lanes_with_ray(index);
-    const intv has_ray = lanes_of_bits(bits);
+    const intv has_ray = mask_of_bits(bits);
     fill_lanes(load_lanes(index), bits, filled);
     load_rows4((__global const float*)rays, 8, filled, origin);
     load_rows4((__global const float*)rays + 4, 8, filled, direction);
