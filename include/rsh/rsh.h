@@ -501,7 +501,9 @@ enum {
 /* What to find. */
 enum {
     RSH_QUERY_CLOSEST = 0, /* hits: the closest hit of each ray                               */
-    RSH_QUERY_ANY = 1      /* occlusion: whether anything is hit, one bit per ray             */
+    RSH_QUERY_ANY = 1,     /* occlusion: whether anything is hit, one bit per ray             */
+    RSH_QUERY_COUNT = 2,   /* the number of triangles that each ray crosses                   */
+    RSH_QUERY_ALL = 3      /* these triangles, as a list of hits per ray                      */
 };
 
 /* Called on the calling thread before each batch is enqueued; nonzero cancels: the call returns
@@ -518,7 +520,9 @@ typedef struct rsh_traverse_desc {
     cl_uint width;
     cl_uint height;        /* 0: 1, as in rsh_build_desc                                      */
     cl_uint query;         /* RSH_QUERY_... */
-    cl_mem hits;           /* closest: out: width * height x rsh_hit                          */
+    cl_mem hits;           /* closest: out: width * height x rsh_hit;
+                              all: out: hit_capacity x rsh_hit, ray by ray, those of a ray by t, of
+                              equal t by primitive. Left alone if there are more than that    */
     cl_mem occlusion;      /* any: in/out: width * height x cl_uint, a mask per ray           */
     cl_uint occlusion_bit; /* any: 0 .. 31: the bit that is set when the ray hits something;
                               other bits, and rays that hit nothing, stay as they are         */
@@ -541,6 +545,10 @@ typedef struct rsh_traverse_desc {
                               each active ray was tested against, alone or with others of its packet,
                               for maps of where rays are dear. Engines tiles, which compiles a
                               program of its own for it, and brute_force. NULL: not counted    */
+    cl_mem hit_counts;     /* count: out: width * height x cl_uint                            */
+    cl_mem hit_offsets;    /* all: out: (width * height + 1) x cl_ulong: where the hits of each ray
+                              begin, and at the end how many there are, whether they fit or not */
+    cl_ulong hit_capacity; /* all: at most 2^31; 0: only hit_offsets are wanted               */
 } rsh_traverse_desc;
 
 #define RSH_MIN_BUDGET 65536
@@ -565,8 +573,18 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          the ray moves away from, parallel to that triangle or to the one skipped; or in the
  *          latter one (kernels/mesh/leaving.h). No true hit is lost by that, but one that only
  *          touches the triangle where the ray starts.
- *          list_count: the answers of a list of that many rays; other hits and masks are neither
- *          read nor written. Statistics count the tests of these rays.
+ *          list_count: the answers of a list of that many rays; other hits, masks and counts are
+ *          neither read nor written; with all, other rays have no hits. Statistics count the tests of
+ *          these rays.
+ *          count, all: every triangle that the ray crosses from tmin to tmax, coincident ones too. A
+ *          ray through an edge or a corner crosses what it would cross if it were moved aside by one
+ *          and the same vector that is smaller than any number (simulation of simplicity,
+ *          Edelsbrunner and Muecke 1990; kernels/mesh/crossing.h): where it goes through a closed
+ *          surface, one of the triangles around that point, where it only touches, none or two. So a
+ *          point is inside a closed mesh if the count of any ray from it is odd, if it is farther
+ *          from the surface than t errs. Needles count, however thin; triangles edge-on do not. The
+ *          order of the corners, that of the triangles and the engine change nothing. Where all hits do
+ *          not fit, a second call with hit_offsets' last number as hit_capacity gives them.
  * Errors:  a hit is within 47 * 2^-24 of its triangle, in units of the farthest component of a corner
  *          seen from the ray's origin (docs/numerics.md): some tens for a ground of 1e7, farther
  *          along a ray nearly in its plane; what is nearer to it may be seen behind it. A ray that
@@ -575,13 +593,16 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          component of more than 2^-128. Where the device flushes denormals (rsh_selftest), the
  *          same may hold of directions without a component of 2^-126, and of those with one above
  *          2^126. May be missed: triangles with a corner 2^126 or more away from the ray's origin
- *          in a component; needles whose area, as the ray sees them, is less than 2^-62 of the
+ *          in a component; by closest and any, needles whose area, as the ray sees them, is less than 2^-62 of the
  *          square of their largest edge: they count as seen edge-on. So does a triangle with one
  *          corner near 1 and another beyond 2^62.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.
- *          tiles: one launch; memory beyond bounds, nodes and hits: none. */
+ *          tiles: one launch; memory beyond bounds, nodes and hits: none.
+ *          count: as closest, but to the end of each ray. all: beside that 24 bytes of scratch and
+ *          some 50 of traffic per hit, 6 launches and 12 bytes per ray. Sorting n hits of a ray takes
+ *          n^2 steps up to 32, then n log n. */
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
                                 const cl_event* wait_list, cl_event* done);

@@ -67,7 +67,8 @@ static void audit_rays(const triangles_left* left, const uint* index, uint count
                        uint occlusion_bit, __global uint* report)
 {
     item_hits expected;
-    trace_by_force(left, index, &expected);
+    hit_list none = hit_list_in(0, 0, 1);
+    trace_by_force(left, index, &none, &expected);
     uint differences = 0, first_ray = RSH_NO_HIT;
     for (uint i = 0; i < count; ++i) {
         const uint ray = index[i];

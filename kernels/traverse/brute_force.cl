@@ -4,6 +4,7 @@
  *   hits       out     closest
  *   occlusion  in/out  any: a bit per ray
  *   tests_per_ray  in/out  grows by the triangles that each ray was tested against; may be NULL
+ * With RSH_ALL_HITS, hits and occlusion are what traverse/hit_list.h says.
  */
 #include "rays/levels.h"
 #include "traverse/brute_force.h"
@@ -23,12 +24,17 @@ __kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
         index[i] = first + i < count ? first + i : RSH_NO_RAY;
     item_hits found;
     const triangles_left left = {mesh, vertices, indices, rays, skip};
-    trace_by_force(&left, index, &found);
+    hit_list list = hit_list_in(hits, occlusion_bit, 1);
+    trace_by_force(&left, index, &list, &found);
     for (uint i = 0; i < RSH_RAYS_PER_ITEM && first + i < count; ++i) {
+#if RSH_ALL_HITS
+        occlusion[first + i] = found.count[i];
+#else
         if (!occlusion_bit)
             hits[first + i] = hit_at(&found, i, rays[first + i]);
         else if (found.primitive[i] != RSH_NO_HIT)
             occlusion[first + i] |= occlusion_bit;
+#endif
         if (tests_per_ray && is_active(rays[first + i]))
             tests_per_ray[first + i] += mesh.triangle_count;
     }

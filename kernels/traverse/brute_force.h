@@ -6,6 +6,7 @@
 
 #include "mesh/leaving.h"
 #include "rays/types.h"
+#include "traverse/hit_list.h"
 #include "tuning.h"
 
 #define RSH_RAYS_PER_ITEM (RSH_VECTORS_PER_ITEM * RSH_WIDTH)
@@ -14,6 +15,9 @@
 typedef struct item_hits {
     float t[RSH_RAYS_PER_ITEM], u[RSH_RAYS_PER_ITEM], v[RSH_RAYS_PER_ITEM];
     uint primitive[RSH_RAYS_PER_ITEM];
+#if RSH_ALL_HITS
+    uint count[RSH_RAYS_PER_ITEM]; /* in place of those above */
+#endif
 } item_hits;
 
 /* Lanes without a ray, and inactive rays, get an empty interval. */
@@ -49,39 +53,91 @@ static void drop_left(const triangles_left* left, sheared_rays r, const uint* in
     hits->is_hit &= ~mask_of_bits(none);
 }
 
-/* The closest hits of a vector of rays, and now this triangle, whose corners are in order. */
+#if RSH_ALL_HITS
+
+/* The number of hits of a vector of rays. */
+typedef struct vector_hits {
+    uint count[RSH_WIDTH];
+} vector_hits;
+
+static vector_hits no_vector_hits(void)
+{
+    vector_hits none;
+    for (uint k = 0; k < RSH_WIDTH; ++k) none.count[k] = 0;
+    return none;
+}
+
+static void keep_hits(vector_hits* found, const lane_hits* hits, const uint* index,
+                      uint triangle, uint places, hit_list* list)
+{
+    float t[RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
+    store_lanes(hits->t, t);
+    store_lanes(weight_of_corner(hits->weight, 1, places), u);
+    store_lanes(weight_of_corner(hits->weight, 2, places), v);
+    for (uint met = RSH_LANE_BITS(hits->is_hit); met; met &= met - 1) {
+        const uint k = 31 - clz(met & -met);
+        add_to_list(list, index[k], found->count[k]++, (rsh_hit){t[k], u[k], v[k], triangle});
+    }
+}
+
+static void store_vector_hits(const vector_hits* found, uint first, item_hits* hits)
+{
+    for (uint k = 0; k < RSH_WIDTH; ++k) hits->count[first + k] = found->count[k];
+}
+
+#else
+
+typedef closest_hits vector_hits;
+
+static vector_hits no_vector_hits(void) { return no_hits(); }
+
+static void keep_hits(vector_hits* found, const lane_hits* hits, const uint* index,
+                      uint triangle, uint places, hit_list* list)
+{
+    keep_closer(found, *hits, triangle, places);
+}
+
+static void store_vector_hits(const vector_hits* found, uint first, item_hits* hits)
+{
+    store_lanes(found->t, hits->t + first);
+    store_lanes(found->u, hits->u + first);
+    store_lanes(found->v, hits->v + first);
+    store_lanes(found->primitive, hits->primitive + first);
+}
+
+#endif
+
+/* The hits of a vector of rays, and now this triangle, whose corners are in order. */
 static void offer(const triangles_left* left, sheared_rays r, const uint* index, uint triangle,
-                  triangle_points points, uint places, closest_hits* best)
+                  triangle_points points, uint places, vector_hits* found, hit_list* list)
 {
     floatv corner[9];
     broadcast_triangle(points, corner);
-    lane_hits hits = intersect(r, corner);
-    if (left->skip && any_lane(hits.is_hit)) drop_left(left, r, index, triangle, points, &hits);
-    keep_closer(best, hits, triangle, places);
+    lane_hits hits = RSH_FIND_HITS(r, corner);
+    if (!any_lane(hits.is_hit)) return;
+    if (left->skip) drop_left(left, r, index, triangle, points, &hits);
+    keep_hits(found, &hits, index, triangle, places, list);
 }
 
 /* index: of RSH_RAYS_PER_ITEM rays. */
-static void trace_by_force(const triangles_left* left, const uint* index, item_hits* hits)
+static void trace_by_force(const triangles_left* left, const uint* index, hit_list* list,
+                           item_hits* hits)
 {
     sheared_rays sheared[RSH_VECTORS_PER_ITEM];
-    closest_hits best[RSH_VECTORS_PER_ITEM];
+    vector_hits found[RSH_VECTORS_PER_ITEM];
     for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
         sheared[b] = load_sheared_rays(left->rays, index + b * RSH_WIDTH);
-        best[b] = no_hits();
+        found[b] = no_vector_hits();
     }
     for (uint i = 0; i < left->mesh.triangle_count; ++i) {
         triangle_points p;
         if (!load_triangle(left->mesh, left->vertices, left->indices, i, &p)) continue;
         const uint places = put_in_order(&p);
         for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b)
-            offer(left, sheared[b], index + b * RSH_WIDTH, i, p, places, &best[b]);
+            offer(left, sheared[b], index + b * RSH_WIDTH, i, p, places, &found[b], list);
     }
-    for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b) {
-        store_lanes(best[b].t, hits->t + b * RSH_WIDTH);
-        store_lanes(best[b].u, hits->u + b * RSH_WIDTH);
-        store_lanes(best[b].v, hits->v + b * RSH_WIDTH);
-        store_lanes(best[b].primitive, hits->primitive + b * RSH_WIDTH);
-    }
+    for (int b = 0; b < RSH_VECTORS_PER_ITEM; ++b)
+        store_vector_hits(&found[b], b * RSH_WIDTH, hits);
 }
 
 /* The answer of the ray at place i. */

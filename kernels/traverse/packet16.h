@@ -1,11 +1,11 @@
 /* packet16.h - the sixteen rays of a block as a packet on its way through the scene: what they
- * have hit so far, which of them meet a box, what a triangle changes, and how their hits are
- * stored. */
+ * have hit so far, which of them meet a box or a triangle, and how their hits are stored. */
 #ifndef RSH_TRAVERSE_PACKET16_H
 #define RSH_TRAVERSE_PACKET16_H
 
 #include "mesh/leaving.h"
 #include "rays/box_node.h"
+#include "traverse/hit_list.h"
 #include "traverse/leaf_triangle.h"
 
 typedef struct ray_packet {
@@ -24,6 +24,10 @@ typedef struct ray_packet {
     floatv doubtful_t[RSH_VECTORS]; /* no hit behind it is doubtful, as in mesh/leaving.h */
     const ray_tile* tile;           /* whose block b it is */
     uint b;
+#if RSH_ALL_HITS
+    uintv count[RSH_VECTORS]; /* hits so far */
+    hit_list* list;           /* where they go */
+#endif
 } ray_packet;
 
 /* kz of the active rays (see sheared_rays), 0 to 2; 3: they differ. */
@@ -80,6 +84,9 @@ static void load_packet(ray_packet* packet, const ray_tile* tile, uint b,
             given.row[RSH_TMIN][v], select((floatv)(-1.0f), given.row[RSH_TMAX][v], is_active));
         packet->primitive[v] = (uintv)(RSH_NO_HIT);
         packet->u[v] = packet->v[v] = reach[v] = (floatv)(0.0f);
+#if RSH_ALL_HITS
+        packet->count[v] = (uintv)(0u);
+#endif
         for (uint axis = 0; axis < 3; ++axis) {
             const floatv d = given.row[RSH_DIRECTION + axis][v] + (floatv)(0.0f); /* no -0 */
             packet->is_negative[axis][v] = d < (floatv)(0.0f);
@@ -195,36 +202,6 @@ static intv without_left(const ray_packet* packet, uint v, const float* at, uint
     return near ? without_separated(packet, v, at, is_hit, t, near) : is_hit;
 }
 
-/* True if a ray has a closer hit now. Of equal t the lower triangle stays, in whatever order
- * they come. is_any: a ray that hits something is retired. */
-static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
-{
-    bool changed = false;
-    for_each_vector(v) {
-        const sheared_rays r = packet->ray[v];
-        ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, triangle->at);
-        if (triangle->scale != 1.0f) scale_across(&sheared, (floatv)(triangle->scale));
-        const lane_hits hits = intersect_sheared(r, sheared);
-        intv is_better = hits.is_hit & ((hits.t < r.tmax) |
-                                        ((uintv)(triangle->index) < packet->primitive[v]));
-        if (!any_lane(is_better)) continue;
-        if (packet->left) {
-            is_better =
-                without_left(packet, v, triangle->at, triangle->index, is_better, hits.t);
-            if (!any_lane(is_better)) continue;
-        }
-        changed = true;
-        packet->ray[v].tmax = select(r.tmax, is_any ? (floatv)(-1.0f) : hits.t, is_better);
-        packet->u[v] =
-            select(packet->u[v], weight_of_corner(hits.weight, 1, triangle->places), is_better);
-        packet->v[v] =
-            select(packet->v[v], weight_of_corner(hits.weight, 2, triangle->places), is_better);
-        packet->primitive[v] =
-            select(packet->primitive[v], (uintv)(triangle->index), as_uintv(is_better));
-    }
-    return changed;
-}
-
 /* Hits of a block that never became a packet, as nothing came near it. */
 static void store_misses(ray_tile tile, uint b, __global const rsh_ray* rays,
                          __global rsh_hit* hits)
@@ -297,5 +274,17 @@ static void store_packet_occlusion(const ray_packet* packet, ray_tile tile, uint
     for (; hidden; hidden &= hidden - 1)
         occlusion[ray_of(tile, b, 31 - clz(hidden & -hidden))] |= bit;
 }
+
+#if RSH_ALL_HITS
+/* packet: 0 where nothing came near the block. */
+static void store_packet_counts(const ray_packet* packet, ray_tile tile, uint b,
+                                __global uint* counts)
+{
+    for (uint k = 0; k < 16; ++k) {
+        const uint i = ray_of(tile, b, k);
+        if (i != RSH_NO_RAY) counts[i] = packet ? ((const uint*)packet->count)[k] : 0;
+    }
+}
+#endif
 
 #endif

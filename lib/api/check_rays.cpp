@@ -7,6 +7,7 @@
 #include "reduce/strategy.hpp"
 #include "shadow/shadow.hpp"
 #include "traverse/engine.hpp"
+#include "traverse/list_hits.hpp"
 
 namespace rsh {
 namespace {
@@ -15,12 +16,25 @@ void check_ray_count(cl_uint ray_count) {
     require(ray_count <= kMaxRays, "ray_count", ray_count, "at most ", kMaxRays);
 }
 
+void check_occlusion_bit(cl_uint bit) {
+    require(bit < 32, "occlusion_bit", bit, "0 .. 31");
+}
+
 template <class Desc>
 void check_query(const Desc& desc) {
     require(desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ANY, "query", desc.query,
             "RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
-    if (desc.query == RSH_QUERY_ANY)
-        require(desc.occlusion_bit < 32, "occlusion_bit", desc.occlusion_bit, "0 .. 31");
+    if (desc.query == RSH_QUERY_ANY) check_occlusion_bit(desc.occlusion_bit);
+}
+
+void check_answers(Buffers& buffers, const rsh_traverse_desc& desc) {
+    const cl_ulong rays = ray_count(desc.width, desc.height);
+    if (desc.query == RSH_QUERY_CLOSEST) buffers.out("hits", desc.hits, rays * sizeof(rsh_hit));
+    if (desc.query == RSH_QUERY_ANY) buffers.out("occlusion", desc.occlusion, rays * 4);
+    if (desc.query == RSH_QUERY_COUNT) buffers.out("hit_counts", desc.hit_counts, rays * 4);
+    if (desc.query != RSH_QUERY_ALL) return;
+    buffers.out("hit_offsets", desc.hit_offsets, (rays + 1) * sizeof(cl_ulong));
+    buffers.out("hits", desc.hits, desc.hit_capacity * sizeof(rsh_hit));
 }
 
 void check_hit_rays(Buffers& buffers, cl_uint ray_count, cl_mem rays, cl_mem hits) {
@@ -53,7 +67,11 @@ void check_shape(const rsh_traverse_desc& desc) {
     check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
     check_list_count(desc);
-    check_query(desc);
+    require(desc.query <= RSH_QUERY_ALL, "query", desc.query, "RSH_QUERY_...");
+    if (desc.query == RSH_QUERY_ANY) check_occlusion_bit(desc.occlusion_bit);
+    if (desc.query == RSH_QUERY_ALL)
+        require(desc.hit_capacity <= kMaxHits, "hit_capacity", desc.hit_capacity, "at most ",
+                kMaxHits);
     check_budget(desc.budget);
     const Engine& engine = find_engine(desc.engine);
     require(!desc.tests_per_ray || engine.counts_tests_per_ray(), "tests_per_ray: engine",
@@ -74,11 +92,8 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
         buffers.optional_in("bounds", desc.bounds, bounds_for(desc.shape).bytes(desc.geometry));
         buffers.in("nodes", desc.nodes, shape.bytes(shape.levels(desc.width, desc.height)));
     }
-    if (desc.query == RSH_QUERY_ANY)
-        buffers.out("occlusion", desc.occlusion, rays * 4);
-    else
-        buffers.out("hits", desc.hits, rays * sizeof(rsh_hit));
-    buffers.scratch(desc.scratch, engine.scratch(context, desc, bounds_from(desc)).bytes());
+    check_answers(buffers, desc);
+    buffers.scratch(desc.scratch, traverse_scratch(context, desc).bytes());
 }
 
 void check_shape(const rsh_audit_desc& desc) {

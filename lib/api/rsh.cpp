@@ -237,10 +237,8 @@ rsh_status rsh_build(rsh_context context, cl_command_queue queue, const rsh_buil
 rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_desc* desc,
                               rsh_sizes* sizes) {
     return rsh::query(context, desc, sizes, [](const auto& own, const auto& checked) {
-        const rsh::Engine& engine = rsh::find_engine(checked.engine);
-        const cl_ulong rays = rsh::ray_count(checked.width, checked.height);
-        return rsh::sizes_of(rays * (checked.query == RSH_QUERY_ANY ? 4 : sizeof(rsh_hit)),
-                             engine.scratch(own, checked, rsh::bounds_from(checked)).bytes());
+        return rsh::sizes_of(rsh::answer_bytes(checked),
+                             rsh::traverse_scratch(own, checked).bytes());
     });
 }
 

@@ -26,11 +26,14 @@ public:
         const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
         const size_t rays_per_item =
             size_t{RSH_VECTORS_PER_ITEM} * recorder.context().vector_width;
-        recorder.launch(RSH_STAGE_INTERSECT, {"traverse/brute_force", "rsh_brute_force"},
-                        recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
-                        mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                        desc.skip, rays, desc.list_count, desc.hits, desc.occlusion,
-                        occlusion_mask(desc), desc.tests_per_ray);
+        const Answers answers = answers_of(desc);
+        recorder.launch(
+            RSH_STAGE_INTERSECT,
+            hit_kernel(desc, "traverse/brute_force", "traverse/brute_force", "rsh_brute_force"),
+            recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
+            mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays, desc.skip,
+            rays, desc.list_count, answers.hits, answers.occlusion, answers.occlusion_bit,
+            desc.tests_per_ray);
     }
 };
 

@@ -2,19 +2,37 @@
 
 #include "bvh/scene_bounds.hpp"
 #include "device/error.hpp"
+#include "rays/levels.hpp"
 #include "rays/node_shape.hpp"
 #include "reduce/strategy.hpp"
+#include "traverse/list_hits.hpp"
 
 namespace rsh {
 
 void traverse(Recorder& recorder, const rsh_traverse_desc& desc) {
-    find_engine(desc.engine).traverse(recorder, desc);
+    if (desc.query == RSH_QUERY_ALL)
+        list_hits(recorder, desc);
+    else
+        find_engine(desc.engine).traverse(recorder, desc);
     StatisticsLog& statistics = recorder.context().statistics;
     if (!statistics.enabled()) return;
     statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
     recorder.count_later(
         recorder.wrong_buffers(), 1,
         [](rsh_statistics& sums, const cl_uint* bits) { sums.wrong_buffers |= *bits; });
+}
+
+cl_ulong answer_bytes(const rsh_traverse_desc& desc) {
+    const cl_ulong rays = ray_count(desc.width, desc.height);
+    if (desc.query == RSH_QUERY_ALL) return desc.hit_capacity * sizeof(rsh_hit);
+    return rays * (desc.query == RSH_QUERY_CLOSEST ? sizeof(rsh_hit) : sizeof(cl_uint));
+}
+
+Layout traverse_scratch(const Context& context, const rsh_traverse_desc& desc) {
+    const BoundsFrom bounds = bounds_from(desc);
+    return desc.query == RSH_QUERY_ALL
+               ? list_scratch(context, desc, bounds)
+               : find_engine(desc.engine).scratch(context, desc, bounds);
 }
 
 cl_uint chosen_strategy(const Context& context, const rsh_traverse_desc& desc) {

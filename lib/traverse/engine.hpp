@@ -42,6 +42,10 @@ const Engine& default_engine(const DeviceCaps& caps) noexcept;
 
 // Finds what the rays hit.
 void traverse(Recorder& recorder, const rsh_traverse_desc& desc);
+// Bytes of the hits, or of a word per ray.
+cl_ulong answer_bytes(const rsh_traverse_desc& desc);
+// What it needs, bounds included where the descriptor has none.
+Layout traverse_scratch(const Context& context, const rsh_traverse_desc& desc);
 
 // The strategy that a call is to use; see reduce/strategy.hpp.
 cl_uint chosen_strategy(const Context& context, const rsh_traverse_desc& desc);

@@ -5,13 +5,33 @@
 
 namespace rsh {
 
-cl_uint occlusion_mask(const rsh_traverse_desc& desc) {
-    return desc.query == RSH_QUERY_ANY ? cl_uint{1} << desc.occlusion_bit : 0;
+Answers answers_of(const rsh_traverse_desc& desc) {
+    switch (desc.query) {
+        case RSH_QUERY_ANY:
+            return {desc.hits, desc.occlusion, cl_uint{1} << desc.occlusion_bit};
+        case RSH_QUERY_COUNT:
+            return {nullptr, desc.hit_counts, 0};
+        case RSH_QUERY_ALL:
+            return {desc.hits, desc.hit_counts, static_cast<cl_uint>(desc.hit_capacity)};
+        default:
+            return {desc.hits, desc.occlusion, 0};
+    }
+}
+
+KernelName hit_kernel(const rsh_traverse_desc& desc, const char* program, const char* file,
+                      const char* kernel) {
+    if (wants_all_hits(desc)) return {file, kernel, " -D RSH_ALL_HITS=1"};
+    return {program, kernel};
 }
 
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program) {
     if (desc.query == RSH_QUERY_ANY) return;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
+    if (wants_all_hits(desc)) {
+        recorder.launch(RSH_STAGE_OTHER, {"traverse/clear_hits", "rsh_clear_hit_counts"},
+                        recorder.stream_range(rays), rays, desc.list_count, desc.hit_counts);
+        return;
+    }
     recorder.launch(RSH_STAGE_OTHER, {program, "rsh_clear_hits"}, recorder.stream_range(rays),
                     desc.rays, rays, desc.list_count, desc.hits);
 }
@@ -19,14 +39,17 @@ void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* p
 void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
                cl_mem pair_count) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_INTERSECT, {"programs/paper_faithful", "rsh_intersect"},
+    const Answers answers = answers_of(desc);
+    recorder.launch(RSH_STAGE_INTERSECT,
+                    hit_kernel(desc, "programs/paper_faithful",
+                               "traverse/paper_faithful/intersect", "rsh_intersect"),
                     recorder.stream_range(), mesh_view_of(geometry), geometry.vertices,
-                    geometry.indices, desc.rays, desc.skip, pairs, pair_count, desc.hits,
-                    desc.occlusion, occlusion_mask(desc));
+                    geometry.indices, desc.rays, desc.skip, pairs, pair_count, answers.hits,
+                    answers.occlusion, answers.occlusion_bit);
 }
 
 void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {
-    if (desc.query == RSH_QUERY_ANY) return;
+    if (desc.query != RSH_QUERY_CLOSEST) return;
     const rsh_geometry& geometry = desc.geometry;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
     recorder.launch(RSH_STAGE_INTERSECT, {"programs/paper_faithful", "rsh_resolve"},

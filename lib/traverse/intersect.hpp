@@ -5,10 +5,24 @@
 
 namespace rsh {
 
-// The bit to set where a ray hits something; 0: closest hits are wanted.
-cl_uint occlusion_mask(const rsh_traverse_desc& desc);
+// What kernels are given for their answers; with counts and all hits, see kernels/traverse/hit_list.h.
+struct Answers {
+    cl_mem hits, occlusion;
+    cl_uint occlusion_bit;  // as a mask; 0: closest hits are wanted
+};
+Answers answers_of(const rsh_traverse_desc& desc);
 
-// No ray has hit anything yet. The program is one that has traverse/clear_hits.cl.
+// Whether all hits of a ray matter, and not only the closest.
+inline bool wants_all_hits(const rsh_traverse_desc& desc) {
+    return desc.query == RSH_QUERY_COUNT || desc.query == RSH_QUERY_ALL;
+}
+
+// A kernel that intersects triangles: of `program`, or for all hits of a program of its own, made of
+// the file that it is in.
+KernelName hit_kernel(const rsh_traverse_desc& desc, const char* program, const char* file,
+                      const char* kernel);
+
+// No ray has hit anything yet. The program is one that has rsh_clear_hits.
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program);
 // Intersects the pairs of level 0; `pair_count`: their number.
 void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,

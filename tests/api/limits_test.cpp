@@ -85,7 +85,9 @@ TEST_F(Queries, OfTraversalsRefuseWhatTraversalsRefuse) {
     refuses<Desc>(desc, "budget", [](Desc& d) { d.budget = 1; });
     refuses<Desc>(desc, "engine", [](Desc& d) { d.engine = 77; });
     refuses<Desc>(desc, "strategy", [](Desc& d) { d.strategy = 77; });
-    refuses<Desc>(desc, "query", [](Desc& d) { d.query = 2; });
+    refuses<Desc>(desc, "query", [](Desc& d) { d.query = 4; });
+    refuses<Desc>(desc, "hit_capacity",
+                  [](Desc& d) { d.query = RSH_QUERY_ALL, d.hit_capacity = (1ull << 31) + 1; });
     refuses<Desc>(desc, "occlusion_bit",
                   [](Desc& d) { d.query = RSH_QUERY_ANY, d.occlusion_bit = 32; });
 }

@@ -256,8 +256,24 @@ TEST_F(Misuse, OfTraverseIsRefused) {
     refuses<Desc>(desc, [](Desc& d) { d.engine = 77; }, RSH_INVALID_VALUE, {"engine", "77"});
     refuses<Desc>(desc, [](Desc& d) { d.strategy = 77; }, RSH_INVALID_VALUE,
                   {"strategy", "77"});
-    refuses<Desc>(desc, [](Desc& d) { d.query = 2; }, RSH_INVALID_VALUE, {"query", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = 4; }, RSH_INVALID_VALUE, {"query", "4"});
     refuses<Desc>(desc, [](Desc& d) { d.hits = nullptr; }, RSH_INVALID_VALUE, {"hits", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_COUNT; }, RSH_INVALID_VALUE,
+                  {"hit_counts", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ALL; }, RSH_INVALID_VALUE,
+                  {"hit_offsets", "NULL"});
+    const test::Buffer<cl_ulong> offsets(test::kRays + 1);
+    const auto all = [&](Desc& d) {
+        d.query = RSH_QUERY_ALL, d.hit_offsets = offsets.get(), d.hit_capacity = 1;
+    };
+    refuses<Desc>(desc, [&](Desc& d) { all(d), d.hits = nullptr; }, RSH_INVALID_VALUE,
+                  {"hits", "NULL"});
+    refuses<Desc>(desc, [&](Desc& d) { all(d), d.hit_capacity = (1ull << 31) + 1; },
+                  RSH_INVALID_VALUE, {"hit_capacity", "2147483649", "2147483648"});
+    refuses<Desc>(desc, [&](Desc& d) { all(d), d.hit_capacity = 1 << 20; },
+                  RSH_BUFFER_TOO_SMALL, {"hits", "16777216"});
+    refuses<Desc>(desc, [&](Desc& d) { all(d), d.hits = offsets.get(); }, RSH_INVALID_VALUE,
+                  {"hits", "hit_offsets"});
     refuses<Desc>(desc, [](Desc& d) { d.budget = RSH_MIN_BUDGET - 1; }, RSH_INVALID_VALUE,
                   {"budget", "65535", "65536"});
     refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ANY; }, RSH_INVALID_VALUE,

@@ -303,4 +303,34 @@ std::vector<uint32_t> occlusion(const DeviceMesh& mesh, const Rays& rays,
     return buffer.read();
 }
 
+std::vector<uint32_t> hit_counts(const DeviceMesh& mesh, const Rays& rays,
+                                 const TraceOptions& options, uint32_t before) {
+    Traversal traversal(mesh, rays, options);
+    const Buffer<uint32_t> counts(std::vector<uint32_t>(rays.rays.size(), before));
+    traversal.desc.query = RSH_QUERY_COUNT;
+    traversal.desc.hit_counts = counts.get();
+    traversal.run();
+    expect_guards(counts.guards_intact(), "hit_counts");
+    return counts.read();
+}
+
+HitLists hit_lists(const DeviceMesh& mesh, const Rays& rays, uint64_t capacity,
+                   const TraceOptions& options) {
+    Traversal traversal(mesh, rays, options);
+    const Buffer<uint64_t> offsets(rays.rays.size() + 1);
+    const Buffer<rsh_hit> hits(capacity);
+    traversal.desc.query = RSH_QUERY_ALL;
+    traversal.desc.hit_offsets = offsets.get();
+    traversal.desc.hit_capacity = capacity;
+    traversal.desc.hits = hits.get();
+    traversal.run();
+    expect_guards(offsets.guards_intact(), "hit_offsets");
+    expect_guards(hits.guards_intact(), "hits");
+    return {offsets.read(), hits.read()};
+}
+
+HitLists all_hits(const DeviceMesh& mesh, const Rays& rays, const TraceOptions& options) {
+    return hit_lists(mesh, rays, hit_lists(mesh, rays, 0, options).offsets.back(), options);
+}
+
 }  // namespace test

@@ -102,4 +102,19 @@ std::vector<uint32_t> occlusion(const DeviceMesh& mesh, const Rays& rays,
                                 std::vector<uint32_t> masks, uint32_t bit,
                                 const TraceOptions& options = {});
 
+// The number of triangles that each ray crosses; counts of rays that there are not, see list_count,
+// stay as in `before`.
+std::vector<uint32_t> hit_counts(const DeviceMesh& mesh, const Rays& rays,
+                                 const TraceOptions& options = {}, uint32_t before = 0);
+
+// All hits: offsets has one number more than there are rays.
+struct HitLists {
+    std::vector<uint64_t> offsets;
+    std::vector<rsh_hit> hits;  // as many as there was room for
+};
+HitLists hit_lists(const DeviceMesh& mesh, const Rays& rays, uint64_t capacity,
+                   const TraceOptions& options = {});
+// With room for all of them.
+HitLists all_hits(const DeviceMesh& mesh, const Rays& rays, const TraceOptions& options = {});
+
 }  // namespace test

@@ -5,6 +5,7 @@
  *   skip               in      a triangle per ray that it does not hit; NULL: none
  *   hits               in/out  closest so far; at first those of traverse/clear_hits.cl
  *   occlusion          in/out  any: a bit per ray
+ * With RSH_ALL_HITS, hits and occlusion are what traverse/hit_list.h says.
  * A work-item owns the rays that it writes, and launches follow each other: no atomics.
  */
 #include "bvh/layout.h"
@@ -28,8 +29,9 @@ __kernel void rsh_intersect_ranges(ray_levels shape, __global const uint* list_c
     const ray_levels levels = counted_levels(shape, list_count);
     const uint me = my_element(tile_count(levels));
     if (me == tile_count(levels)) return;
+    hit_list list = hit_list_in(hits, occlusion_bit, 1);
     const range_target target = {
-        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds, &list};
     const ray_tile tile = tile_at(levels, order_in(nodes), me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
@@ -85,8 +87,9 @@ __kernel void rsh_intersect_ranges_finish(
     const uint ancestor = ancestor_of(&levels, 2, me, step.level + 1);
     if (!is_left_over(step, sums, ancestor)) return;
     const triangle_range range = range_of_parent(step, ranges, ancestor);
+    hit_list list = hit_list_in(hits, occlusion_bit, 1);
     const range_target target = {
-        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds};
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, bounds, &list};
     const ray_tile tile = tile_at(levels, order_in(nodes), me);
     sibling_nodes blocks;
     load_siblings(&blocks, nodes + RSH_NODES_HEAD_WORDS + (ulong)RSH_GROUP_FLOATS * me);

@@ -5,7 +5,7 @@
 #ifndef RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 #define RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 
-#include "traverse/packet16.h"
+#include "traverse/packet_hits.h"
 
 typedef struct range_target {
     triangles_left left;
@@ -13,12 +13,29 @@ typedef struct range_target {
     __global uint* occlusion;
     uint occlusion_bit;           /* as a mask; 0: closest hits are wanted */
     __global const float* bounds; /* the scene's BVH; ranges name places in its leaves */
+    hit_list* list;               /* see traverse/hit_list.h */
 } range_target;
 
-static void load_target_packet(const range_target* target, const ray_tile* tile, uint b,
-                               ray_packet* packet)
+#if RSH_ALL_HITS
+static void load_target_hits(const range_target* target, const ray_tile* tile, uint b,
+                             ray_packet* packet)
 {
-    load_packet(packet, tile, b, &target->left, FLT_MAX);
+    packet->list = target->list;
+    for (uint k = 0; k < 16; ++k) {
+        const uint i = ray_of(*tile, b, k);
+        if (i != RSH_NO_RAY) ((uint*)packet->count)[k] = target->occlusion[i];
+    }
+}
+
+static void store_target_packet(const range_target* target, ray_tile tile, uint b,
+                                const ray_packet* packet)
+{
+    store_packet_counts(packet, tile, b, target->occlusion);
+}
+#else
+static void load_target_hits(const range_target* target, const ray_tile* tile, uint b,
+                             ray_packet* packet)
+{
     if (target->occlusion_bit) return;
     for (uint k = 0; k < 16; ++k) {
         const uint i = ray_of(*tile, b, k), v = k / RSH_WIDTH, lane = k % RSH_WIDTH;
@@ -31,15 +48,6 @@ static void load_target_packet(const range_target* target, const ray_tile* tile,
     }
 }
 
-/* True if a ray has a closer hit now. */
-static bool offer_triangle(const range_target* target, ray_packet* packet, uint place)
-{
-    __global const float* leaf = target->bounds + leaf_at(place / 16);
-    if (as_uint(leaf[RSH_TRIANGLES_AT + place % 16]) == RSH_NO_HIT) return false;
-    const leaf_triangle triangle = leaf_triangle_at(leaf, place % 16, true);
-    return intersect_packet(packet, &triangle, target->occlusion_bit != 0);
-}
-
 static void store_target_packet(const range_target* target, ray_tile tile, uint b,
                                 const ray_packet* packet)
 {
@@ -47,6 +55,23 @@ static void store_target_packet(const range_target* target, ray_tile tile, uint 
         store_packet_occlusion(packet, tile, b, target->occlusion, target->occlusion_bit);
     else
         store_packet_hits(packet, tile, b, target->hits);
+}
+#endif
+
+static void load_target_packet(const range_target* target, const ray_tile* tile, uint b,
+                               ray_packet* packet)
+{
+    load_packet(packet, tile, b, &target->left, FLT_MAX);
+    load_target_hits(target, tile, b, packet);
+}
+
+/* True if the hits of a ray have changed. */
+static bool offer_triangle(const range_target* target, ray_packet* packet, uint place)
+{
+    __global const float* leaf = target->bounds + leaf_at(place / 16);
+    if (as_uint(leaf[RSH_TRIANGLES_AT + place % 16]) == RSH_NO_HIT) return false;
+    const leaf_triangle triangle = leaf_triangle_at(leaf, place % 16, true);
+    return intersect_packet(packet, &triangle, target->occlusion_bit != 0);
 }
 
 #endif

@@ -5,12 +5,13 @@
  * by compare-and-swap only if the new hit is closer, or as close with a lower index; the t of
  * the old one is computed again, by the same instructions, so 32-bit atomics suffice, and t, u
  * and v need not be stored until rsh_resolve. The order of offers cannot matter: the result is
- * a minimum.
+ * a minimum. With RSH_ALL_HITS each hit is counted, and listed as traverse/hit_list.h says.
  */
 #ifndef RSH_TRAVERSE_PAPER_FAITHFUL_CLOSEST_HIT_ATOMIC_H
 #define RSH_TRAVERSE_PAPER_FAITHFUL_CLOSEST_HIT_ATOMIC_H
 
 #include "mesh/leaving.h"
+#include "traverse/hit_list.h"
 #include "traverse/paper_faithful/types.h"
 
 typedef struct hit_target {
@@ -18,7 +19,17 @@ typedef struct hit_target {
     volatile __global rsh_hit* hits;
     volatile __global uint* occlusion;
     uint occlusion_bit; /* as a mask; 0: closest hits are wanted */
+    hit_list* list;     /* see traverse/hit_list.h */
 } hit_target;
+
+#if RSH_ALL_HITS
+
+static void offer_hit(const hit_target* target, uint ray, rsh_hit hit)
+{
+    add_to_list(target->list, ray, atomic_inc(target->occlusion + ray), hit);
+}
+
+#else
 
 static bool is_closer(const hit_target* target, uint ray, float t, uint triangle, uint best)
 {
@@ -30,7 +41,7 @@ static bool is_closer(const hit_target* target, uint ray, float t, uint triangle
     return t < hit.t || (t == hit.t && triangle < best);
 }
 
-static void offer_hit(const hit_target* target, uint ray, float t, uint triangle)
+static void offer_hit(const hit_target* target, uint ray, rsh_hit hit)
 {
     if (target->occlusion_bit) {
         atomic_or(target->occlusion + ray, target->occlusion_bit);
@@ -39,15 +50,18 @@ static void offer_hit(const hit_target* target, uint ray, float t, uint triangle
     volatile __global uint* slot = &target->hits[ray].primitive;
     uint best = RSH_NO_HIT; /* a guess: the first exchange reads the slot */
     do {
-        const uint seen = atomic_cmpxchg(slot, best, triangle);
+        const uint seen = atomic_cmpxchg(slot, best, hit.primitive);
         if (seen == best) return;
         best = seen;
-    } while (is_closer(target, ray, t, triangle, best));
+    } while (is_closer(target, ray, hit.t, hit.primitive, best));
 }
 
-/* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. */
-static void gather_pairs(const hit_target* target, const stream_pair* pairs, uint count,
-                         sheared_rays* sheared, floatv* corner)
+#endif
+
+/* Lane i gets ray and triangle of pair i; lanes from `count` on repeat pair 0. Returns the places of
+ * the corners. */
+static uintv gather_pairs(const hit_target* target, const stream_pair* pairs, uint count,
+                          sheared_rays* sheared, floatv* corner)
 {
     float lanes[17][RSH_WIDTH];
     for (uint i = 0; i < RSH_WIDTH; ++i) {
@@ -67,7 +81,14 @@ static void gather_pairs(const hit_target* target, const stream_pair* pairs, uin
                           load_lanes(lanes[4]), load_lanes(lanes[5]), load_lanes(lanes[6]),
                           load_lanes(lanes[3]), load_lanes(lanes[7]));
     for (uint f = 0; f < 9; ++f) corner[f] = load_lanes(lanes[8 + f]);
-    put_lanes_in_order(corner);
+    return put_lanes_in_order(corner);
+}
+
+/* The weights of the corners at these places, a place per lane. */
+static floatv weight_at(const lane_hits* hits, uintv place)
+{
+    return select(select(hits->weight[2], hits->weight[1], as_intv(place == (uintv)(1u))),
+                  hits->weight[0], as_intv(place == (uintv)(0u)));
 }
 
 /* Whether mesh/leaving.h says that a pair's hit is none. */
@@ -88,19 +109,20 @@ static void intersect_pairs(const hit_target* target, const stream_pair* pairs, 
 {
     sheared_rays sheared;
     floatv corner[9];
-    gather_pairs(target, pairs, count, &sheared, corner);
-    const lane_hits hits = intersect(sheared, corner);
+    const uintv places = gather_pairs(target, pairs, count, &sheared, corner);
+    const lane_hits hits = RSH_FIND_HITS(sheared, corner);
     if (!any_lane(hits.is_hit)) return;
     int is_hit[RSH_WIDTH];
-    float t[RSH_WIDTH];
+    float t[RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH], inverse_z[RSH_WIDTH];
     store_lanes(hits.is_hit, is_hit);
     store_lanes(hits.t, t);
-    const triangles_left* left = &target->left;
-    float inverse_z[RSH_WIDTH];
+    store_lanes(weight_at(&hits, places & 3u), u);
+    store_lanes(weight_at(&hits, places >> 2), v);
     store_lanes(fabs(sheared.inverse_z), inverse_z);
+    const triangles_left* left = &target->left;
     for (uint i = 0; i < count; ++i)
         if (is_hit[i] && !(left->skip && is_pair_left(left, pairs[i], t[i], inverse_z[i])))
-            offer_hit(target, pairs[i].node, t[i], pairs[i].triangle);
+            offer_hit(target, pairs[i].node, (rsh_hit){t[i], u[i], v[i], pairs[i].triangle});
 }
 
 #endif

@@ -4,6 +4,7 @@
  *   hits               in/out  closest: .primitive is the best triangle so far, RSH_NO_HIT at
  *                      first
  *   occlusion          in/out  any: a bit per ray
+ * With RSH_ALL_HITS, hits and occlusion are what traverse/hit_list.h says.
  */
 #include "lanes/stride.h"
 #include "traverse/paper_faithful/closest_hit_atomic.h"
@@ -14,8 +15,9 @@ __kernel void rsh_intersect(mesh_view mesh, __global const float* vertices,
                             __global const uint* pair_count, __global rsh_hit* hits,
                             __global uint* occlusion, uint occlusion_bit)
 {
+    hit_list list = hit_list_in(hits, occlusion_bit, 1);
     const hit_target target = {
-        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit};
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, &list};
     const uint count = *pair_count;
     const strided_range mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
     for (uint i = mine.begin; i < mine.end; i += mine.step) {

@@ -80,8 +80,9 @@ __kernel void rsh_traverse_walk(ray_levels shape, uint level, uint limit, mesh_v
                                 __global uint* occlusion, uint occlusion_bit)
 {
     const ray_levels levels = shape;
+    hit_list list = hit_list_in(hits, occlusion_bit, 1);
     const hit_target target = {
-        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit};
+        {mesh, vertices, indices, rays, skip}, hits, occlusion, occlusion_bit, &list};
     const uint total = pair_count[level + 1];
     if (total <= limit) return;
     walk_lists walk;

@@ -46,6 +46,7 @@ static void traverse_block(traversal_state* state, block_packet* block, uint bot
         const ulong top = state->stack[--state->stack_size];
         if (near_of(top) > lane_of(state->blocks.limit, block->b)) continue;
         const bvh_child box = load_box(state, name_of(top));
+        if (is_passed_over(box.child)) continue;
         visit_box_by_block(state, block, &box);
     }
 }

@@ -19,6 +19,7 @@ static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
         const ulong top = state->stack[--state->stack_size];
         if (near_of(top) > ray.limit) continue;
         const uint at = name_of(top);
+        if (is_passed_over(at)) continue;
         if (is_leaf(at)) {
             count_for_ray(state, &state->ray_tests, b, k);
             changed |=

@@ -35,7 +35,7 @@ static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf, 
 {
     const leaf_triangle triangle = leaf_triangle_at(leaf->corners, k, leaf->is_scaled);
     count_for_blocks(state, &state->ray_tests, 1u << b, 1);
-    if (intersect_packet(packet_of(state, b), &triangle, state->is_any))
+    if (intersect_packet(packet_of(state, b), &triangle, state->is_any) && !RSH_ALL_HITS)
         lower_block_limit(state, b);
 }
 

@@ -4,7 +4,7 @@
 #ifndef RSH_TRAVERSE_TILES_SINGLE_RAY_H
 #define RSH_TRAVERSE_TILES_SINGLE_RAY_H
 
-#include "traverse/packet16.h"
+#include "traverse/packet_hits.h"
 
 typedef struct single_ray {
     uint near_row[3], far_row[3]; /* rows of a bvh_node that bound t from below, from above */
@@ -15,8 +15,13 @@ typedef struct single_ray {
     float u, v;
     uint primitive;
     const triangles_left* left; /* 0: the ray has left none */
-    uint skip, index;           /* if there is `left`: the triangle left; the ray */
+    uint skip, index;           /* if there is `left`: the triangle left; the ray, in any case
+                                   with RSH_ALL_HITS */
     float doubtful_t;           /* the same as in ray_packet */
+#if RSH_ALL_HITS
+    uint count;
+    hit_list* list;
+#endif
 } single_ray;
 
 static single_ray single_ray_of(const ray_packet* packet, uint k)
@@ -53,11 +58,15 @@ static single_ray single_ray_of(const ray_packet* packet, uint k)
     ray.v = lane_of(packet->v, k);
     ray.primitive = ((const uint*)packet->primitive)[k];
     ray.left = packet->left;
+    if (ray.left || RSH_ALL_HITS) ray.index = ray_of(*packet->tile, packet->b, k);
     if (ray.left) {
         ray.skip = ((const uint*)packet->skip)[k];
-        ray.index = ray_of(*packet->tile, packet->b, k);
         ray.doubtful_t = lane_of(packet->doubtful_t, k);
     }
+#if RSH_ALL_HITS
+    ray.count = ((const uint*)packet->count)[k];
+    ray.list = packet->list;
+#endif
     return ray;
 }
 
@@ -67,6 +76,9 @@ static void store_single_ray(const single_ray* ray, ray_packet* packet, uint k)
     ((float*)packet->u)[k] = ray->u;
     ((float*)packet->v)[k] = ray->v;
     ((uint*)packet->primitive)[k] = ray->primitive;
+#if RSH_ALL_HITS
+    ((uint*)packet->count)[k] = ray->count;
+#endif
 }
 
 /* Which of 16 boxes the ray can meet, and from which t on. */
@@ -132,49 +144,6 @@ static bool is_leaf_hit_left(const single_ray* ray, __global const float* leaf, 
     const triangle_points points = points_of(leaf, k);
     return t <= RSH_DOUBTFUL_DEPTH * triangle_extent(points) * fabs(ray->inverse_z) &&
            is_separated(ray->left, ray->index, points);
-}
-
-/* As intersect_packet: true if the ray has a closer hit now. */
-static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_scaled,
-                           bool is_any)
-{
-    __global const uint* triangles = (__global const uint*)leaf + RSH_TRIANGLES_AT;
-    bool changed = false;
-    for_each_vector(v) {
-        ray_space_corners sheared = leaf_to_ray_space(ray, leaf, v);
-        if (is_scaled) scale_across(&sheared, scales_of(leaf, v));
-        sheared_rays r;
-        r.inverse_z = (floatv)(ray->inverse_z);
-        r.tmin = (floatv)(ray->tmin);
-        r.tmax = (floatv)(ray->tmax);
-        const lane_hits hits = intersect_sheared(r, sheared);
-        uint met = RSH_LANE_BITS(hits.is_hit);
-        if (!met) continue;
-        float t[RSH_WIDTH], weight[RSH_WIDTH];
-        store_lanes(hits.t, t);
-        uint closest = RSH_WIDTH, places = 0;
-        for (; met; met &= met - 1) {
-            const uint k = 31 - clz(met & -met), word = triangles[RSH_WIDTH * v + k];
-            const uint triangle = RSH_TRIANGLE_INDEX(word);
-            if (!(t[k] < ray->tmax || (t[k] == ray->tmax && triangle < ray->primitive)))
-                continue;
-            if (ray->left && is_leaf_hit_left(ray, leaf, RSH_WIDTH * v + k, triangle, t[k]))
-                continue;
-            closest = k;
-            places = RSH_TRIANGLE_PLACES(word);
-            ray->tmax = t[k];
-            ray->primitive = triangle;
-        }
-        if (closest == RSH_WIDTH) continue;
-        changed = true;
-        store_lanes(weight_of_corner(hits.weight, 1, places), weight);
-        ray->u = weight[closest];
-        store_lanes(weight_of_corner(hits.weight, 2, places), weight);
-        ray->v = weight[closest];
-    }
-    if (changed && is_any) ray->tmax = -1.0f;
-    ray->limit = ray->tmax * RSH_RAISED;
-    return changed;
 }
 
 #endif

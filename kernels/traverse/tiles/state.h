@@ -4,7 +4,7 @@
 #ifndef RSH_TRAVERSE_TILES_STATE_H
 #define RSH_TRAVERSE_TILES_STATE_H
 
-#include "traverse/tiles/single_ray.h"
+#include "traverse/tiles/single_ray_hits.h"
 
 #ifndef RSH_TESTS_PER_RAY
 #define RSH_TESTS_PER_RAY 0 /* 1: tests are counted ray by ray as well */
@@ -34,6 +34,9 @@ typedef struct traversal_state {
     interval_packet16 blocks;
     ray_packet packet[16];
     ulong node_tests, ray_tests;
+#if RSH_ALL_HITS
+    hit_list list;
+#endif
     /* With RSH_TESTS_PER_RAY: that all rays of a block took part in; that a ray did alone. */
     uint tests_of_block[RSH_TESTS_PER_RAY ? 16 : 1], tests_of_ray[RSH_TESTS_PER_RAY ? 256 : 1];
     uint stack_size;
@@ -63,6 +66,9 @@ static ray_packet* packet_of(traversal_state* state, uint b)
     ray_packet* packet = &state->packet[b];
     if (state->loaded >> b & 1) return packet;
     load_packet(packet, &state->tile, b, state->rays, state->scene_size);
+#if RSH_ALL_HITS
+    packet->list = &state->list;
+#endif
     for (uint axis = 0; axis < 3; ++axis)
         packet->intervals.slab[axis] =
             slab_of(state->nodes[16 * axis + b], state->nodes[48 + 16 * axis + b],
@@ -92,6 +98,10 @@ static __global const float* node_of(const traversal_state* state, uint node)
 }
 
 static bool is_leaf(uint child) { return (child & RSH_IS_LEAF) != 0; }
+
+/* Whether a slot that was met must not be visited: an empty one means leaf 0, whose hits would be
+ * counted once more. */
+static bool is_passed_over(uint child) { return RSH_ALL_HITS && child == RSH_NO_CHILD; }
 
 /* child: bvh_node::child of a leaf. */
 static __global const float* leaf_of(const traversal_state* state, uint child)

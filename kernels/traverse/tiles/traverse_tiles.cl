@@ -10,6 +10,7 @@
  *   occlusion  in/out  any: a bit per ray
  *   counts     in/out  if is_counting: tests of nodes, of rays
  *   tests_per_ray  in/out  with RSH_TESTS_PER_RAY: grows by the tests that each ray took part in
+ * With RSH_ALL_HITS, hits and occlusion are what traverse/hit_list.h says.
  * Each decision below only chooses between orders of the same tests, or leaves out tests that
  * cannot succeed. A work-item needs no memory but its stack, whose size is known.
  */
@@ -89,6 +90,7 @@ static void traverse(traversal_state* state, uint blocks, const packet_bounds* b
         const ulong top = state->stack[--state->stack_size];
         if (near_of(top) > packet.intervals.limit) continue;
         const bvh_child box = load_box(state, name_of(top));
+        if (is_passed_over(box.child)) continue;
         visit_box(state, &packet, &box);
     }
 }
@@ -189,6 +191,15 @@ static void measure_scene(traversal_state* state)
     state->leaf_size = surface / state->scene->leaves;
 }
 
+#if RSH_ALL_HITS
+static void store_answers(traversal_state* state, __global uint* counts)
+{
+    for (uint b = 0; b < 16; ++b)
+        store_packet_counts(state->loaded >> b & 1 ? &state->packet[b] : 0, state->tile, b,
+                            counts);
+    close_list(&state->list);
+}
+#else
 static void store_answers(const traversal_state* state, __global rsh_hit* hits,
                           __global uint* occlusion, uint occlusion_bit)
 {
@@ -202,6 +213,7 @@ static void store_answers(const traversal_state* state, __global rsh_hit* hits,
             store_packet_occlusion(&state->packet[b], state->tile, b, occlusion, occlusion_bit);
     }
 }
+#endif
 
 /* The tests that each active ray took part in. */
 static void add_tests_per_ray(const traversal_state* state, __global uint* tests_per_ray)
@@ -234,7 +246,10 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
     const triangles_left left = {mesh, vertices, indices, rays, skip};
     state.rays = &left;
     state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
-    state.is_any = occlusion_bit != 0;
+    state.is_any = !RSH_ALL_HITS && occlusion_bit != 0;
+#if RSH_ALL_HITS
+    state.list = hit_list_in(hits, occlusion_bit, RSH_RECORDS_AT_ONCE);
+#endif
     clear_tests_per_ray(&state);
     const bool is_right =
         are_right(!layout.triangles || are_made_of(bvh, layout),
@@ -246,7 +261,11 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
         measure_scene(&state);
         traverse_tile(&state, active);
     }
+#if RSH_ALL_HITS
+    store_answers(&state, occlusion);
+#else
     store_answers(&state, hits, occlusion, occlusion_bit);
+#endif
     add_tests_per_ray(&state, tests_per_ray);
     if (!is_counting) return;
     add_to_count(counts, state.node_tests);

@@ -80,10 +80,10 @@ void Recorder::continue_after(Event event) {
 }
 
 // On CPUs a group is a task: single items, a few per core to balance uneven runs.
-Range Recorder::stream_range(size_t most) const {
-    const DeviceCaps& caps = context_.caps;
+Range stream_range(const Context& context, size_t most) {
+    const DeviceCaps& caps = context.caps;
     const size_t tasks = size_t{caps.compute_units} * 16;
-    if (context_.vector_width > 1) return {std::min(tasks, most), 1};
+    if (context.vector_width > 1) return {std::min(tasks, most), 1};
     return {std::min(tasks * caps.group_size, most), caps.group_size, true};
 }
 

@@ -21,6 +21,10 @@ struct Submission {
     const cl_event* wait_list;
 };
 
+// Enough work-items to fill the device, for a stream whose length only the device knows; see
+// kernels/lanes/stride.h. No more of them than `most` elements.
+Range stream_range(const Context& context, size_t most = SIZE_MAX);
+
 class Recorder {
 public:
     // `done` may be NULL. The destructor sets *done to the last command, also after a failure
@@ -52,9 +56,9 @@ public:
         return {items, context_.vector_width > 1 ? 1 : context_.caps.group_size, true};
     }
 
-    // Enough work-items to fill the device, for a stream whose length only the device knows;
-    // see kernels/lanes/stride.h. No more of them than `most` elements.
-    Range stream_range(size_t most = SIZE_MAX) const;
+    Range stream_range(size_t most = SIZE_MAX) const {
+        return rsh::stream_range(context_, most);
+    }
 
     // Sets `bytes` of `buffer` from `offset` on (multiples of 4) to a repeated word.
     void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset = 0);

@@ -14,6 +14,10 @@ KernelName paper_kernel(const char* kernel) {
     return {"programs/paper", kernel};
 }
 
+KernelName hit_kernel(const rsh_traverse_desc& desc, const char* kernel) {
+    return rsh::hit_kernel(desc, "programs/paper", "traverse/paper/intersect_ranges", kernel);
+}
+
 cl_mem parents_of(const RangeLevel& level, const RangeStreams& streams) {
     return streams.triangles[(level.step.level + 1) % 2];
 }
@@ -56,22 +60,24 @@ void emit_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeL
 void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
                    const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges_finish"),
+    const Answers answers = answers_of(desc);
+    recorder.launch(RSH_STAGE_INTERSECT, hit_kernel(desc, "rsh_intersect_ranges_finish"),
                     recorder.serial_range(node_count(level.shape, 2)), level.shape,
                     desc.list_count, level.step, mesh_view_of(geometry), geometry.vertices,
                     geometry.indices, desc.rays, desc.skip, desc.bounds, desc.nodes,
-                    parents_of(level, streams), streams.ranges, streams.sums, desc.hits,
-                    desc.occlusion, occlusion_mask(desc), streams.tally);
+                    parents_of(level, streams), streams.ranges, streams.sums, answers.hits,
+                    answers.occlusion, answers.occlusion_bit, streams.tally);
 }
 
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
                       const ray_levels& shape, const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_INTERSECT, paper_kernel("rsh_intersect_ranges"),
+    const Answers answers = answers_of(desc);
+    recorder.launch(RSH_STAGE_INTERSECT, hit_kernel(desc, "rsh_intersect_ranges"),
                     recorder.serial_range(node_count(shape, 2)), shape, desc.list_count,
                     mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
                     desc.skip, desc.bounds, desc.nodes, streams.triangles[1], streams.ranges,
-                    desc.hits, desc.occlusion, occlusion_mask(desc));
+                    answers.hits, answers.occlusion, answers.occlusion_bit);
 }
 
 void join_boxes(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& shape,

@@ -17,11 +17,14 @@ void test_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_lev
 void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& levels,
                 cl_uint level, const PairStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
-    recorder.launch(RSH_STAGE_TEST, {"programs/paper_faithful", "rsh_traverse_walk"},
+    const Answers answers = answers_of(desc);
+    recorder.launch(RSH_STAGE_TEST,
+                    hit_kernel(desc, "programs/paper_faithful",
+                               "traverse/paper_faithful/traverse_walk", "rsh_traverse_walk"),
                     recorder.stream_range(), levels, level, streams.limit,
                     mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
                     desc.skip, desc.bounds, desc.nodes, streams.pairs, streams.counts,
-                    desc.hits, desc.occlusion, occlusion_mask(desc));
+                    answers.hits, answers.occlusion, answers.occlusion_bit);
 }
 
 }  // namespace rsh

@@ -23,8 +23,10 @@ void count_tests(Recorder& recorder, cl_mem counts) {
 
 // One that counts ray by ray is a program of its own: the other one pays nothing for it.
 KernelName traversal_kernel(const rsh_traverse_desc& desc) {
-    return {"programs/tiles", "rsh_traverse_tiles",
-            desc.tests_per_ray ? " -D RSH_TESTS_PER_RAY=1" : ""};
+    KernelName kernel = hit_kernel(desc, "programs/tiles", "traverse/tiles/traverse_tiles",
+                                   "rsh_traverse_tiles");
+    if (desc.tests_per_ray) kernel.options += " -D RSH_TESTS_PER_RAY=1";
+    return kernel;
 }
 
 class Tiles final : public Engine {
@@ -52,13 +54,14 @@ public:
         const bool is_counting = context.statistics.enabled();
         report_progress(desc, 0, 1);
         if (is_counting) recorder.fill(RSH_STAGE_OTHER, memory["counts"], 0, kCountWords * 4);
+        const Answers answers = answers_of(desc);
         const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
         recorder.launch(RSH_STAGE_INTERSECT, traversal_kernel(desc),
                         recorder.serial_range(node_count(shape, 2)),
                         bvh_layout_of(desc.geometry.triangle_count), bounds,
                         mesh_view_of(desc.geometry), desc.geometry.vertices,
                         desc.geometry.indices, shape, desc.list_count, desc.rays, desc.skip,
-                        desc.nodes, desc.hits, desc.occlusion, occlusion_mask(desc),
+                        desc.nodes, answers.hits, answers.occlusion, answers.occlusion_bit,
                         cl_uint{is_counting}, memory["counts"], desc.tests_per_ray,
                         recorder.wrong_buffers());
         if (is_counting) count_tests(recorder, memory["counts"]);

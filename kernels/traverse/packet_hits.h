@@ -1,0 +1,81 @@
+/* packet_hits.h - what a triangle changes in a packet: the closest hits of its rays, or, in a program
+ * with RSH_ALL_HITS, the number of their hits and the records of these. */
+#ifndef RSH_TRAVERSE_PACKET_HITS_H
+#define RSH_TRAVERSE_PACKET_HITS_H
+
+#include "traverse/packet16.h"
+
+#if RSH_ALL_HITS
+
+/* Lists the hits of vector v, those of the lanes whose bits are set. */
+static void list_packet_hits(ray_packet* packet, uint v, const leaf_triangle* triangle,
+                             const lane_hits* hits, uint met)
+{
+    float t[RSH_WIDTH], weight[2][RSH_WIDTH];
+    store_lanes(hits->t, t);
+    for (uint i = 0; i < 2; ++i)
+        store_lanes(weight_of_corner(hits->weight, i + 1, triangle->places), weight[i]);
+    for (; met; met &= met - 1) {
+        const uint k = 31 - clz(met & -met);
+        const rsh_hit hit = {t[k], weight[0][k], weight[1][k], triangle->index};
+        add_to_list(packet->list, ray_of(*packet->tile, packet->b, RSH_WIDTH * v + k),
+                    ((const uint*)packet->count)[RSH_WIDTH * v + k], hit);
+    }
+}
+
+/* True if a ray has more hits now. */
+static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
+{
+    bool changed = false;
+    for_each_vector(v) {
+        const sheared_rays r = packet->ray[v];
+        const ray_space_corners corners = triangle_to_ray_space(r, packet->axis, triangle->at);
+        lane_hits hits = cross_sheared(r, corners, (floatv)(triangle->scale));
+        if (!any_lane(hits.is_hit)) continue;
+        if (packet->left)
+            hits.is_hit =
+                without_left(packet, v, triangle->at, triangle->index, hits.is_hit, hits.t);
+        const uint met = RSH_LANE_BITS(hits.is_hit);
+        if (!met) continue;
+        if (packet->list->records) list_packet_hits(packet, v, triangle, &hits, met);
+        packet->count[v] += select((uintv)(0u), (uintv)(1u), as_uintv(hits.is_hit));
+        changed = true;
+    }
+    return changed;
+}
+
+#else
+
+/* True if a ray has a closer hit now. Of equal t the lower triangle stays, in whatever order
+ * they come. is_any: a ray that hits something is retired. */
+static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
+{
+    bool changed = false;
+    for_each_vector(v) {
+        const sheared_rays r = packet->ray[v];
+        ray_space_corners sheared = triangle_to_ray_space(r, packet->axis, triangle->at);
+        if (triangle->scale != 1.0f) scale_across(&sheared, (floatv)(triangle->scale));
+        const lane_hits hits = intersect_sheared(r, sheared);
+        intv is_better = hits.is_hit & ((hits.t < r.tmax) |
+                                        ((uintv)(triangle->index) < packet->primitive[v]));
+        if (!any_lane(is_better)) continue;
+        if (packet->left) {
+            is_better =
+                without_left(packet, v, triangle->at, triangle->index, is_better, hits.t);
+            if (!any_lane(is_better)) continue;
+        }
+        changed = true;
+        packet->ray[v].tmax = select(r.tmax, is_any ? (floatv)(-1.0f) : hits.t, is_better);
+        packet->u[v] =
+            select(packet->u[v], weight_of_corner(hits.weight, 1, triangle->places), is_better);
+        packet->v[v] =
+            select(packet->v[v], weight_of_corner(hits.weight, 2, triangle->places), is_better);
+        packet->primitive[v] =
+            select(packet->primitive[v], (uintv)(triangle->index), as_uintv(is_better));
+    }
+    return changed;
+}
+
+#endif
+
+#endif
