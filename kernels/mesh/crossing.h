@@ -122,114 +122,77 @@ static void weights_on_side(const flat_triangle* at, float* weight)
     weight[first] += 1.0f - weight[last];
 }
 
-/* The lanes of corners as triangles, one by one. */
-typedef struct corner_lanes {
-    float x[3][RSH_WIDTH], y[3][RSH_WIDTH];
-} corner_lanes;
-
-static corner_lanes store_corners(const ray_space_corners* s)
+static flat_triangle triangle_of_lane(const ray_space_corners* s, uint lane)
 {
-    corner_lanes lanes;
-    store_lanes(s->ax, lanes.x[0]);
-    store_lanes(s->bx, lanes.x[1]);
-    store_lanes(s->cx, lanes.x[2]);
-    store_lanes(s->ay, lanes.y[0]);
-    store_lanes(s->by, lanes.y[1]);
-    store_lanes(s->cy, lanes.y[2]);
-    return lanes;
-}
-
-static flat_triangle triangle_of_lane(const corner_lanes* lanes, uint lane)
-{
+    const floatv* const x[3] = {&s->ax, &s->bx, &s->cx};
+    const floatv* const y[3] = {&s->ay, &s->by, &s->cy};
     flat_triangle at;
     for (uint i = 0; i < 3; ++i) {
-        at.x[i] = lanes->x[i][lane];
-        at.y[i] = lanes->y[i][lane];
+        at.x[i] = ((const float*)x[i])[lane];
+        at.y[i] = ((const float*)y[i])[lane];
     }
     return at;
 }
 
-/* Which of these lanes, a bit each, are crossed. */
-static uint lanes_crossed(const ray_space_corners* s, uint doubtful)
+/* Decides one lane on its corners before scaling, and gives it edge values that place the hit. */
+static bool settle_lane(const flat_triangle* at, float* edge)
 {
-    const corner_lanes lanes = store_corners(s);
+    if (!is_crossed(at)) return false;
+    const bool is_positive = edge[0] + edge[1] + edge[2] > 0.0f;
+    float area = 0.0f;
+    for (uint i = 0; i < 3; ++i) {
+        edge[i] = is_positive ? fmax(edge[i], 0.0f) : fmin(edge[i], 0.0f);
+        area += edge[i];
+    }
+    if (!(fabs(area) >= 0x1p-102f)) weights_on_side(at, edge);
+    return true;
+}
+
+/* Which of the doubtful lanes, a bit each, are crossed. */
+static __attribute__((noinline)) uint settle_lanes(const ray_space_corners* s, uint doubtful,
+                                                   floatv* edge)
+{
     uint crossed = 0;
     for (; doubtful; doubtful &= doubtful - 1) {
         const uint k = 31 - clz(doubtful & -doubtful);
-        const flat_triangle at = triangle_of_lane(&lanes, k);
-        if (is_crossed(&at)) crossed |= 1u << k;
+        const flat_triangle at = triangle_of_lane(s, k);
+        float of[3];
+        for (uint i = 0; i < 3; ++i) of[i] = ((const float*)&edge[i])[k];
+        if (!settle_lane(&at, of)) continue;
+        for (uint i = 0; i < 3; ++i) ((float*)&edge[i])[k] = of[i];
+        crossed |= 1u << k;
     }
     return crossed;
 }
 
-/* Gives the weights of a side to these lanes, a bit each. */
-static void set_weights_on_side(const ray_space_corners* s, uint slim, floatv* weight)
-{
-    const corner_lanes lanes = store_corners(s);
-    for (; slim; slim &= slim - 1) {
-        const uint k = 31 - clz(slim & -slim);
-        const flat_triangle at = triangle_of_lane(&lanes, k);
-        float of[3];
-        weights_on_side(&at, of);
-        for (uint i = 0; i < 3; ++i) ((float*)&weight[i])[k] = of[i];
-    }
-}
-
-/* An edge value whose sign is not that of the area counts as 0. */
-static floatv with_sign(floatv edge, intv is_positive)
-{
-    const floatv zero = (floatv)(0.0f);
-    return select(fmin(edge, zero), fmax(edge, zero), is_positive);
-}
-
-/* t and weights of crossed triangles; edge: U, V, W of mesh/intersect.h, of the scaled triangle. */
-static void place_hits(sheared_rays r, const ray_space_corners* s, const floatv* edge,
-                       lane_hits* hits)
-{
-    const floatv zero = (floatv)(0.0f);
-    const intv is_positive = edge[0] + edge[1] + edge[2] > zero;
-    const floatv U = with_sign(edge[0], is_positive), V = with_sign(edge[1], is_positive),
-                 W = with_sign(edge[2], is_positive);
-    const floatv area = U + V + W, inverse = (floatv)(1.0f) / area;
-    hits->weight[0] = U * inverse;
-    hits->weight[1] = V * inverse;
-    hits->weight[2] = W * inverse;
-    const uint slim = RSH_LANE_BITS(hits->is_hit & (fabs(area) < (floatv)(0x1p-102f)));
-    if (slim) set_weights_on_side(s, slim, hits->weight);
-    const floatv depth =
-        hits->weight[0] * s->az + hits->weight[1] * s->bz + hits->weight[2] * s->cz;
-    const intv is_ahead =
-        ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
-    hits->t = depth * r.inverse_z;
-    hits->is_hit &= is_ahead & (hits->t >= r.tmin) & (hits->t <= r.tmax);
-}
-
-/* Where the rays cross triangles that are in ray space, not scaled yet; scale: theirs. */
-static lane_hits cross_sheared(sheared_rays r, ray_space_corners s, floatv scale)
+/* Where the rays cross triangles that are in ray space, scaled; given: the same before scaling. */
+static lane_hits cross_sheared(sheared_rays r, ray_space_corners s,
+                               const ray_space_corners* given)
 {
     lane_hits hits;
-    ray_space_corners scaled = s;
-    scale_across(&scaled, scale);
-    const floatv edge[3] = {difference_of_products(scaled.cx, scaled.by, scaled.cy, scaled.bx),
-                            difference_of_products(scaled.ax, scaled.cy, scaled.ay, scaled.cx),
-                            difference_of_products(scaled.bx, scaled.ay, scaled.by, scaled.ax)};
-    const floatv sure = (floatv)(RSH_SURE_EDGE);
+    const floatv zero = (floatv)(0.0f), sure = (floatv)(RSH_SURE_EDGE);
+    floatv edge[3] = {difference_of_products(s.cx, s.by, s.cy, s.bx),
+                      difference_of_products(s.ax, s.cy, s.ay, s.cx),
+                      difference_of_products(s.bx, s.ay, s.by, s.ax)};
     hits.is_hit = ((edge[0] >= -sure) & (edge[1] >= -sure) & (edge[2] >= -sure)) |
                   ((edge[0] <= sure) & (edge[1] <= sure) & (edge[2] <= sure));
-    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = (floatv)(0.0f);
+    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = zero;
     if (!any_lane(hits.is_hit)) return hits;
     const uint doubtful =
         RSH_LANE_BITS(hits.is_hit & ((fabs(edge[0]) < sure) | (fabs(edge[1]) < sure) |
                                      (fabs(edge[2]) < sure)));
-    if (doubtful) hits.is_hit &= ~mask_of_bits(doubtful & ~lanes_crossed(&s, doubtful));
-    place_hits(r, &s, edge, &hits);
+    if (doubtful) hits.is_hit &= ~mask_of_bits(doubtful & ~settle_lanes(given, doubtful, edge));
+    place_hits(r, &s, edge, edge[0] + edge[1] + edge[2], &hits);
     return hits;
 }
 
 /* As `intersect` of mesh/intersect.h. */
 static lane_hits cross_triangles(sheared_rays r, const floatv* corner)
 {
-    return cross_sheared(r, to_ray_space(r, corner), triangle_scale(corner));
+    const ray_space_corners given = to_ray_space(r, corner);
+    ray_space_corners scaled = given;
+    scale_across(&scaled, triangle_scale(corner));
+    return cross_sheared(r, scaled, &given);
 }
 
 #endif

@@ -157,6 +157,20 @@ static void scale_across(ray_space_corners* s, floatv scale)
     s->cy *= scale;
 }
 
+/* t and weights; and hits are only those from tmin to tmax. edge: U, V, W; area: their sum. */
+static void place_hits(sheared_rays r, const ray_space_corners* s, const floatv* edge,
+                       floatv area, lane_hits* hits)
+{
+    const floatv zero = (floatv)(0.0f), inverse = (floatv)(1.0f) / area;
+    for (uint i = 0; i < 3; ++i) hits->weight[i] = edge[i] * inverse;
+    const floatv depth =
+        hits->weight[0] * s->az + hits->weight[1] * s->bz + hits->weight[2] * s->cz;
+    const intv is_ahead =
+        ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
+    hits->t = depth * r.inverse_z;
+    hits->is_hit &= is_ahead & (hits->t >= r.tmin) & (hits->t <= r.tmax);
+}
+
 /* Where the rays hit triangles that are in ray space, scaled. NaN anywhere ends in a miss. */
 static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
 {
@@ -176,15 +190,8 @@ static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
     if (!any_lane(hits.is_hit)) return hits;
 #endif
 
-    const floatv inverse = (floatv)(1.0f) / area;
-    hits.weight[0] = U * inverse;
-    hits.weight[1] = V * inverse;
-    hits.weight[2] = W * inverse;
-    const floatv depth = hits.weight[0] * s.az + hits.weight[1] * s.bz + hits.weight[2] * s.cz;
-    const intv is_ahead =
-        ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
-    hits.t = depth * r.inverse_z;
-    hits.is_hit &= is_ahead & (hits.t >= r.tmin) & (hits.t <= r.tmax);
+    const floatv edge[3] = {U, V, W};
+    place_hits(r, &s, edge, area, &hits);
     return hits;
 }
 

@@ -29,8 +29,10 @@ static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, 
     bool changed = false;
     for_each_vector(v) {
         const sheared_rays r = packet->ray[v];
-        const ray_space_corners corners = triangle_to_ray_space(r, packet->axis, triangle->at);
-        lane_hits hits = cross_sheared(r, corners, (floatv)(triangle->scale));
+        const ray_space_corners given = triangle_to_ray_space(r, packet->axis, triangle->at);
+        ray_space_corners scaled = given;
+        if (triangle->scale != 1.0f) scale_across(&scaled, (floatv)(triangle->scale));
+        lane_hits hits = cross_sheared(r, scaled, &given);
         if (!any_lane(hits.is_hit)) continue;
         if (packet->left)
             hits.is_hit =

@@ -24,6 +24,10 @@ static bool list_leaf_hits(single_ray* ray, __global const float* leaf, uint v,
 {
     __global const uint* triangles = (__global const uint*)leaf + RSH_TRIANGLES_AT;
     const uint before = ray->count;
+    if (!ray->left && !ray->list->records) {
+        ray->count += popcount(met);
+        return true;
+    }
     float t[RSH_WIDTH], weight[3][RSH_WIDTH];
     store_lanes(hits->t, t);
     for (uint i = 0; i < 3; ++i) store_lanes(hits->weight[i], weight[i]);
@@ -45,9 +49,10 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
     const sheared_rays r = sheared_ray_of(ray);
     bool changed = false;
     for_each_vector(v) {
-        const ray_space_corners corners = leaf_to_ray_space(ray, leaf, v);
-        const floatv scale = is_scaled ? scales_of(leaf, v) : (floatv)(1.0f);
-        const lane_hits hits = cross_sheared(r, corners, scale);
+        const ray_space_corners given = leaf_to_ray_space(ray, leaf, v);
+        ray_space_corners scaled = given;
+        if (is_scaled) scale_across(&scaled, scales_of(leaf, v));
+        const lane_hits hits = cross_sheared(r, scaled, &given);
         const uint met = RSH_LANE_BITS(hits.is_hit);
         if (met) changed |= list_leaf_hits(ray, leaf, v, &hits, met);
     }

@@ -125,9 +125,9 @@ static bvh_child load_box(const traversal_state* state, uint number)
 static float near_of(ulong entry) { return as_float((uint)(entry >> 32)); }
 static uint name_of(ulong entry) { return (uint)entry; }
 
-/* Makes stack entries of the boxes of a node that were met, the nearest last. An entry is named
- * by its slot, 16 * node + k, or, where `child` is not 0, by the child itself. Returns how
- * many. */
+/* Makes stack entries of the boxes of a node that were met, the nearest last; in any order where no
+ * hit leaves out another. An entry is named by its slot, 16 * node + k, or, where `child` is not 0,
+ * by the child itself. Returns how many. */
 static uint sort_boxes(uint met, const float* near, uint node, __global const uint* child,
                        ulong* sorted)
 {
@@ -135,9 +135,10 @@ static uint sort_boxes(uint met, const float* near, uint node, __global const ui
     for (; met; met &= met - 1) {
         const uint k = lowest_bit(met);
         const uint name = child ? child[k] : 16 * node + k;
-        const ulong entry = (ulong)as_uint(near[k]) << 32 | name;
+        const ulong entry = RSH_ALL_HITS ? name : (ulong)as_uint(near[k]) << 32 | name;
         uint at = count++;
-        for (; at > 0 && sorted[at - 1] < entry; --at) sorted[at] = sorted[at - 1];
+        for (; !RSH_ALL_HITS && at > 0 && sorted[at - 1] < entry; --at)
+            sorted[at] = sorted[at - 1];
         sorted[at] = entry;
     }
     return count;
