@@ -616,16 +616,21 @@ typedef struct rsh_audit_desc {
     cl_mem rays;           /* in: ray_count x rsh_ray                                         */
     cl_uint query;         /* RSH_QUERY_...: what was asked of the traversal                  */
     cl_uint occlusion_bit; /* any: as in rsh_traverse_desc                                    */
-    cl_mem hits;           /* closest: in: what the traversal answered                        */
+    cl_mem hits;           /* closest, all: in: what the traversal answered                   */
     cl_mem occlusion;      /* any: in: likewise; the bit was 0 before                         */
     cl_uint sample;        /* rays to trace again; 0, and more than there are: all            */
     cl_uint seed;          /* which ones: the same seed, the same rays                        */
     cl_mem report;         /* out: one rsh_audit_report                                       */
     cl_mem skip;           /* in: as in the traversal                                         */
     cl_mem list_count;     /* in: as in the traversal: how many of ray_count rays there are   */
+    cl_mem hit_counts;     /* count: in: what the traversal answered                          */
+    cl_mem hit_offsets;    /* all: in: likewise, with `hits`                                  */
+    cl_ulong hit_capacity; /* all: as in the traversal; where the hits did not fit, their number alone
+                              is looked at                                                    */
 } rsh_audit_desc;
 
-/* Traces rays again by brute force and counts those whose answers differ in any bit, by kind.
+/* Traces rays again by brute force and counts those whose answers differ in any bit, by kind. Of all
+ * hits, the order and a sum of 64-bit digests are compared.
  *
  * Effect:  the rays are cut into `sample` ranges of equal length; of each, the first active ray
  *          is taken from a random place on, round the range's end. Inactive rays, and ranges

@@ -17,6 +17,7 @@ typedef struct item_hits {
     uint primitive[RSH_RAYS_PER_ITEM];
 #if RSH_ALL_HITS
     uint count[RSH_RAYS_PER_ITEM]; /* in place of those above */
+    ulong sum[RSH_RAYS_PER_ITEM];  /* of the digests of the hits */
 #endif
 } item_hits;
 
@@ -55,15 +56,26 @@ static void drop_left(const triangles_left* left, sheared_rays r, const uint* in
 
 #if RSH_ALL_HITS
 
-/* The number of hits of a vector of rays. */
+/* The hits of a vector of rays, as item_hits has them. */
 typedef struct vector_hits {
     uint count[RSH_WIDTH];
+    ulong sum[RSH_WIDTH];
 } vector_hits;
+
+/* A number that another hit hardly has (FNV-1a: Fowler, Noll, Vo): sums of it compare lists whose
+ * order is not the same. */
+static ulong digest_of(rsh_hit hit)
+{
+    const uint word[4] = {as_uint(hit.t), as_uint(hit.u), as_uint(hit.v), hit.primitive};
+    ulong digest = 0xcbf29ce484222325ul;
+    for (uint i = 0; i < 4; ++i) digest = (digest ^ word[i]) * 0x100000001b3ul;
+    return digest;
+}
 
 static vector_hits no_vector_hits(void)
 {
     vector_hits none;
-    for (uint k = 0; k < RSH_WIDTH; ++k) none.count[k] = 0;
+    for (uint k = 0; k < RSH_WIDTH; ++k) none.count[k] = 0, none.sum[k] = 0;
     return none;
 }
 
@@ -76,13 +88,18 @@ static void keep_hits(vector_hits* found, const lane_hits* hits, const uint* ind
     store_lanes(weight_of_corner(hits->weight, 2, places), v);
     for (uint met = RSH_LANE_BITS(hits->is_hit); met; met &= met - 1) {
         const uint k = 31 - clz(met & -met);
-        add_to_list(list, index[k], found->count[k]++, (rsh_hit){t[k], u[k], v[k], triangle});
+        const rsh_hit hit = {t[k], u[k], v[k], triangle};
+        found->sum[k] += digest_of(hit);
+        add_to_list(list, index[k], found->count[k]++, hit);
     }
 }
 
 static void store_vector_hits(const vector_hits* found, uint first, item_hits* hits)
 {
-    for (uint k = 0; k < RSH_WIDTH; ++k) hits->count[first + k] = found->count[k];
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        hits->count[first + k] = found->count[k];
+        hits->sum[first + k] = found->sum[k];
+    }
 }
 
 #else

@@ -16,15 +16,14 @@ void check_ray_count(cl_uint ray_count) {
     require(ray_count <= kMaxRays, "ray_count", ray_count, "at most ", kMaxRays);
 }
 
-void check_occlusion_bit(cl_uint bit) {
-    require(bit < 32, "occlusion_bit", bit, "0 .. 31");
-}
-
 template <class Desc>
 void check_query(const Desc& desc) {
-    require(desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ANY, "query", desc.query,
-            "RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
-    if (desc.query == RSH_QUERY_ANY) check_occlusion_bit(desc.occlusion_bit);
+    require(desc.query <= RSH_QUERY_ALL, "query", desc.query, "RSH_QUERY_...");
+    if (desc.query == RSH_QUERY_ANY)
+        require(desc.occlusion_bit < 32, "occlusion_bit", desc.occlusion_bit, "0 .. 31");
+    if (desc.query == RSH_QUERY_ALL)
+        require(desc.hit_capacity <= kMaxHits, "hit_capacity", desc.hit_capacity, "at most ",
+                kMaxHits);
 }
 
 void check_answers(Buffers& buffers, const rsh_traverse_desc& desc) {
@@ -67,11 +66,7 @@ void check_shape(const rsh_traverse_desc& desc) {
     check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
     check_list_count(desc);
-    require(desc.query <= RSH_QUERY_ALL, "query", desc.query, "RSH_QUERY_...");
-    if (desc.query == RSH_QUERY_ANY) check_occlusion_bit(desc.occlusion_bit);
-    if (desc.query == RSH_QUERY_ALL)
-        require(desc.hit_capacity <= kMaxHits, "hit_capacity", desc.hit_capacity, "at most ",
-                kMaxHits);
+    check_query(desc);
     check_budget(desc.budget);
     const Engine& engine = find_engine(desc.engine);
     require(!desc.tests_per_ray || engine.counts_tests_per_ray(), "tests_per_ray: engine",
@@ -109,10 +104,13 @@ void check_buffers(const Context& context, const rsh_audit_desc& desc) {
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
     buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
-    if (desc.query == RSH_QUERY_ANY)
-        buffers.in("occlusion", desc.occlusion, rays * 4);
-    else
-        buffers.in("hits", desc.hits, rays * sizeof(rsh_hit));
+    if (desc.query == RSH_QUERY_CLOSEST) buffers.in("hits", desc.hits, rays * sizeof(rsh_hit));
+    if (desc.query == RSH_QUERY_ANY) buffers.in("occlusion", desc.occlusion, rays * 4);
+    if (desc.query == RSH_QUERY_COUNT) buffers.in("hit_counts", desc.hit_counts, rays * 4);
+    if (desc.query == RSH_QUERY_ALL) {
+        buffers.in("hit_offsets", desc.hit_offsets, (rays + 1) * sizeof(cl_ulong));
+        buffers.in("hits", desc.hits, desc.hit_capacity * sizeof(rsh_hit));
+    }
     buffers.out("report", desc.report, sizeof(rsh_audit_report));
 }
 

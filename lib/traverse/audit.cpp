@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/mesh.hpp"
+#include "traverse/intersect.hpp"
 
 namespace rsh {
 
@@ -17,10 +18,14 @@ void audit(Recorder& recorder, const rsh_audit_desc& desc) {
     const cl_uint sample = desc.sample ? std::min(desc.sample, desc.ray_count) : desc.ray_count;
     const cl_uint bit = desc.query == RSH_QUERY_ANY ? cl_uint{1} << desc.occlusion_bit : 0;
     if (sample == 0) return;
-    recorder.launch(RSH_STAGE_OTHER, {"traverse/audit", "rsh_audit"}, recorder.stream_range(),
-                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.skip, desc.ray_count, desc.list_count, desc.hits, desc.occlusion, bit,
-                    sample, desc.seed, desc.report);
+    const cl_mem none = nullptr;
+    recorder.launch(
+        RSH_STAGE_OTHER, {"traverse/audit", "rsh_audit", all_hits_option(desc.query)},
+        recorder.stream_range(), mesh_view_of(geometry), geometry.vertices, geometry.indices,
+        desc.rays, desc.skip, desc.ray_count, desc.list_count, desc.hits, desc.occlusion, bit,
+        desc.query == RSH_QUERY_COUNT ? desc.hit_counts : none,
+        desc.query == RSH_QUERY_ALL ? desc.hit_offsets : none, desc.hit_capacity, sample,
+        desc.seed, desc.report);
 }
 
 }  // namespace rsh

@@ -20,14 +20,13 @@ Answers answers_of(const rsh_traverse_desc& desc) {
 
 KernelName hit_kernel(const rsh_traverse_desc& desc, const char* program, const char* file,
                       const char* kernel) {
-    if (wants_all_hits(desc)) return {file, kernel, " -D RSH_ALL_HITS=1"};
-    return {program, kernel};
+    return {wants_all_hits(desc.query) ? file : program, kernel, all_hits_option(desc.query)};
 }
 
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program) {
     if (desc.query == RSH_QUERY_ANY) return;
     const cl_uint rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
-    if (wants_all_hits(desc)) {
+    if (wants_all_hits(desc.query)) {
         recorder.launch(RSH_STAGE_OTHER, {"traverse/clear_hits", "rsh_clear_hit_counts"},
                         recorder.stream_range(rays), rays, desc.list_count, desc.hit_counts);
         return;

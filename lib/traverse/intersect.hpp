@@ -12,9 +12,12 @@ struct Answers {
 };
 Answers answers_of(const rsh_traverse_desc& desc);
 
-// Whether all hits of a ray matter, and not only the closest.
-inline bool wants_all_hits(const rsh_traverse_desc& desc) {
-    return desc.query == RSH_QUERY_COUNT || desc.query == RSH_QUERY_ALL;
+// Whether all hits of a ray matter, and not only the closest; and what makes a program for them.
+inline bool wants_all_hits(cl_uint query) {
+    return query == RSH_QUERY_COUNT || query == RSH_QUERY_ALL;
+}
+inline const char* all_hits_option(cl_uint query) {
+    return wants_all_hits(query) ? " -D RSH_ALL_HITS=1" : "";
 }
 
 // A kernel that intersects triangles: of `program`, or for all hits of a program of its own, made of

@@ -340,7 +340,11 @@ TEST_F(Misuse, OfAuditsIsRefused) {
     refuses<Desc>(desc, [](Desc& d) { d.hits = nullptr; }, RSH_INVALID_VALUE, {"hits", "NULL"});
     refuses<Desc>(desc, [&](Desc& d) { d.hits = short_.get(); }, RSH_BUFFER_TOO_SMALL,
                   {"hits", "4", "1024"});
-    refuses<Desc>(desc, [](Desc& d) { d.query = 2; }, RSH_INVALID_VALUE, {"query", "2"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = 4; }, RSH_INVALID_VALUE, {"query", "4"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_COUNT; }, RSH_INVALID_VALUE,
+                  {"hit_counts", "NULL"});
+    refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ALL; }, RSH_INVALID_VALUE,
+                  {"hit_offsets", "NULL"});
     refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ANY; }, RSH_INVALID_VALUE,
                   {"occlusion", "NULL"});
     refuses<Desc>(desc, [](Desc& d) { d.query = RSH_QUERY_ANY, d.occlusion_bit = 32; },

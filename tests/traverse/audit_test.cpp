@@ -33,6 +33,25 @@ protected:
         return audit(desc);
     }
 
+    rsh_audit_report audit_counts(const std::vector<uint32_t>& counts) const {
+        const Buffer<uint32_t> buffer(counts);
+        rsh_audit_desc desc = empty(0, 0);
+        desc.query = RSH_QUERY_COUNT;
+        desc.hit_counts = buffer.get();
+        return audit(desc);
+    }
+
+    rsh_audit_report audit(const test::HitLists& lists) const {
+        const Buffer<uint64_t> offsets(lists.offsets);
+        const Buffer<rsh_hit> buffer(lists.hits);
+        rsh_audit_desc desc = empty(0, 0);
+        desc.query = RSH_QUERY_ALL;
+        desc.hit_offsets = offsets.get();
+        desc.hits = buffer.get();
+        desc.hit_capacity = lists.hits.size();
+        return audit(desc);
+    }
+
     size_t count() const { return rays_.rays.size(); }
     std::vector<rsh_hit> hits() const { return closest_hits(device_mesh_, rays_); }
 
@@ -274,6 +293,46 @@ TEST(AuditOfAFrame, IsNotThereUnlessItIsAskedFor) {
     }
     EXPECT_EQ(launches[0], launches[1]);
     EXPECT_TRUE(test::same_bits(images[1], images[0], "pixels"));
+}
+
+TEST_F(Audit, FindsWrongCounts) {
+    auto counts = hit_counts(device_mesh_, rays_);
+    expect_report(audit_counts(counts), count(), 0, RSH_NO_HIT);
+    ASSERT_GT(counts[200], 0u);
+    --counts[200];
+    ++counts[300];
+    const rsh_audit_report report = audit_counts(counts);
+    expect_report(report, count(), 2, 200);
+    EXPECT_EQ(report.missed, 1u);
+    EXPECT_EQ(report.spurious, 1u);
+}
+
+TEST_F(Audit, FindsWrongLists) {
+    const test::HitLists right = all_hits(device_mesh_, rays_);
+    expect_report(audit(right), count(), 0, RSH_NO_HIT);
+    size_t ray = 0;  // the first one with two hits
+    while (right.offsets[ray + 1] - right.offsets[ray] < 2) ++ray;
+    test::HitLists lists = right;
+    std::swap(lists.hits[right.offsets[ray]], lists.hits[right.offsets[ray] + 1]);
+    expect_report(audit(lists), count(), 1, ray);
+    lists = right;
+    lists.hits[right.offsets[ray]].u += 0.25f;
+    const rsh_audit_report report = audit(lists);
+    expect_report(report, count(), 1, ray);
+    EXPECT_EQ(report.wrong, 1u);
+    lists = right;
+    for (size_t i = ray; i < lists.offsets.size(); ++i) ++lists.offsets[i];
+    lists.hits.resize(lists.hits.size() + 1);
+    EXPECT_GT(audit(lists).differences, 1u);
+    lists = right;
+    lists.offsets[ray] += uint64_t{1} << 40;  // behind all hits
+    lists.offsets[ray + 1] += uint64_t{1} << 40;
+    EXPECT_EQ(audit(lists).wrong, 1u);
+}
+
+TEST_F(Audit, OfListsThatDidNotFitLooksAtTheirLengths) {
+    const uint64_t all = all_hits(device_mesh_, rays_).offsets.back();
+    expect_report(audit(hit_lists(device_mesh_, rays_, all - 1)), count(), 0, RSH_NO_HIT);
 }
 
 }  // namespace
