@@ -75,6 +75,12 @@
  *   Threads    Any function may be called from any thread. Calls on one context run side by
  *              side if their output buffers differ; rsh_release_context must be the last call
  *              on it.
+ *   Loaders    A process may hold several loaders of OpenCL (libOpenCL.so.1), as Python's pyopencl
+ *              brings its own. Objects of any of them can be passed: rsh calls OpenCL through the
+ *              loader that it is linked to, and through the driver itself for objects that this
+ *              loader cannot call, those of one from before cl_khr_icd 2.0.0 where it is newer.
+ *              Layers (OPENCL_LAYERS) do not see these calls. What rsh returns can be used by
+ *              the loader that made the context.
  *   Exactness  Hits do not depend on engine, strategy, budget or the order in which work-items
  *              run: they equal brute force with the same ray-triangle routine, bit for bit. Of
  *              equal t, the lower triangle index wins; coincident triangles have equal t,

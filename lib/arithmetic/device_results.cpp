@@ -39,7 +39,7 @@ DeviceResults::DeviceResults(Context& context, cl_command_queue queue,
                     {"arithmetic/probe", lanes == 1 ? "rsh_probe" : "rsh_probe_lanes"},
                     recorder.range(stride_ / lanes), input.get(), static_cast<cl_uint>(stride_),
                     results.get());
-    require_success(clFinish(queue), "clFinish");
+    require_success(opencl(queue).clFinish(queue), "clFinish");
     const HostRead read(queue, results.get(), word_count, {0, nullptr});
     const cl_uint* const words = read.wait();
     words_.assign(words, words + word_count);

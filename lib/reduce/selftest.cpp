@@ -107,7 +107,7 @@ private:
                           items.data());
     }
 
-    void finish() const { require_success(clFinish(queue_), "clFinish"); }
+    void finish() const { require_success(opencl(queue_).clFinish(queue_), "clFinish"); }
 
     std::vector<cl_uint> read(cl_mem buffer, size_t word_count) const {
         const HostRead read(queue_, buffer, word_count, {0, nullptr});

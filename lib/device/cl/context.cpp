@@ -36,9 +36,10 @@ std::string kernel_folder(const char* requested) {
 // The loader reports an empty list as an error.
 std::vector<cl_platform_id> all_platforms() {
     cl_uint count = 0;
-    if (clGetPlatformIDs(0, nullptr, &count) != CL_SUCCESS) count = 0;
+    if (linked_functions().clGetPlatformIDs(0, nullptr, &count) != CL_SUCCESS) count = 0;
     std::vector<cl_platform_id> platforms(count);
-    if (count == 0 || clGetPlatformIDs(count, platforms.data(), nullptr) != CL_SUCCESS)
+    if (count == 0 ||
+        linked_functions().clGetPlatformIDs(count, platforms.data(), nullptr) != CL_SUCCESS)
         throw Error(RSH_NO_DEVICE,
                     "no OpenCL platform: is a driver installed (Debian: pocl-opencl-icd)?");
     return platforms;
@@ -48,9 +49,12 @@ std::vector<cl_platform_id> all_platforms() {
 std::vector<cl_device_id> devices_of(cl_platform_id platform) {
     constexpr cl_device_type kAll = CL_DEVICE_TYPE_ALL;
     cl_uint count = 0;
-    if (clGetDeviceIDs(platform, kAll, 0, nullptr, &count) != CL_SUCCESS) return {};
+    if (opencl(platform).clGetDeviceIDs(platform, kAll, 0, nullptr, &count) != CL_SUCCESS)
+        return {};
     std::vector<cl_device_id> devices(count);
-    if (clGetDeviceIDs(platform, kAll, count, devices.data(), nullptr) != CL_SUCCESS) return {};
+    if (opencl(platform).clGetDeviceIDs(platform, kAll, count, devices.data(), nullptr) !=
+        CL_SUCCESS)
+        return {};
     return devices;
 }
 

@@ -30,7 +30,8 @@ Recorder::~Recorder() {
     }
     if (done_ && last) {
         *done_ = last;
-        if (clRetainEvent(last) != CL_SUCCESS) static_cast<void>(commands().back().release());
+        if (opencl(last).clRetainEvent(last) != CL_SUCCESS)
+            static_cast<void>(commands().back().release());
     }
     while (!commands().empty() && !commands().back()) commands().pop_back();
     context_.under_way.keep(std::move(call_));
@@ -56,8 +57,8 @@ void Recorder::enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel,
     const size_t items = (range.items + size - 1) / size * size;
     const Waits waits = prepare();
     Event event;
-    const cl_int status = clEnqueueNDRangeKernel(queue_, kernel, 1, nullptr, &items, &size,
-                                                 waits.count, waits.events, event.out());
+    const cl_int status = opencl(queue_).clEnqueueNDRangeKernel(
+        queue_, kernel, 1, nullptr, &items, &size, waits.count, waits.events, event.out());
     if (status != CL_SUCCESS) {
         const char* const code = opencl_error_name(status);
         throw Error(status, "clEnqueueNDRangeKernel of ", name.kernel, " failed",
@@ -91,9 +92,10 @@ void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, si
     if (bytes == 0) return;
     const Waits waits = prepare();
     Event event;
-    require_success(clEnqueueFillBuffer(queue_, buffer, &word, sizeof word, offset, bytes,
-                                        waits.count, waits.events, event.out()),
-                    "clEnqueueFillBuffer");
+    require_success(
+        opencl(queue_).clEnqueueFillBuffer(queue_, buffer, &word, sizeof word, offset, bytes,
+                                           waits.count, waits.events, event.out()),
+        "clEnqueueFillBuffer");
     record(stage, std::move(event));
 }
 
@@ -111,23 +113,23 @@ void Recorder::own_wrong_buffers(cl_mem word) {
 void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {
     const Waits waits = prepare();
     Event event;
-    require_success(
-        clEnqueueCopyBuffer(queue_, from, to, 0, index * sizeof(cl_uint), sizeof(cl_uint),
-                            waits.count, waits.events, event.out()),
-        "clEnqueueCopyBuffer");
+    require_success(opencl(queue_).clEnqueueCopyBuffer(queue_, from, to, 0,
+                                                       index * sizeof(cl_uint), sizeof(cl_uint),
+                                                       waits.count, waits.events, event.out()),
+                    "clEnqueueCopyBuffer");
     record(RSH_STAGE_OTHER, std::move(event));
 }
 
 void Recorder::wait_for_callers() {
     if (callers_.empty()) return;
-    require_success(clFlush(queue_), "clFlush");
+    require_success(opencl(queue_).clFlush(queue_), "clFlush");
     wait_for_all(static_cast<cl_uint>(callers_.size()), list_of(callers_));
 }
 
 std::vector<cl_uint> Recorder::read_now(cl_mem buffer, size_t word_count) {
     HostRead read(queue_, buffer, word_count, prepare());
     record(RSH_STAGE_OTHER, read.share_event());
-    require_success(clFlush(queue_), "clFlush");
+    require_success(opencl(queue_).clFlush(queue_), "clFlush");
     context_.statistics.add([](rsh_statistics& sums) { ++sums.host_waits; });
     const cl_uint* const words = read.wait();
     return {words, words + word_count};
@@ -145,7 +147,8 @@ void Recorder::finish() {
     if (!done_ || last_command()) return;
     const Waits waits = prepare();
     Event event;
-    require_success(clEnqueueMarkerWithWaitList(queue_, waits.count, waits.events, event.out()),
+    require_success(opencl(queue_).clEnqueueMarkerWithWaitList(queue_, waits.count,
+                                                               waits.events, event.out()),
                     "clEnqueueMarkerWithWaitList");
     continue_after(std::move(event));
 }

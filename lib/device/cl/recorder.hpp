@@ -86,11 +86,13 @@ public:
 
 private:
     static void set_argument(cl_kernel kernel, cl_uint index, LocalBytes local) {
-        require_success(clSetKernelArg(kernel, index, local.bytes, nullptr), "clSetKernelArg");
+        require_success(opencl(kernel).clSetKernelArg(kernel, index, local.bytes, nullptr),
+                        "clSetKernelArg");
     }
     template <class Value>
     static void set_argument(cl_kernel kernel, cl_uint index, const Value& value) {
-        require_success(clSetKernelArg(kernel, index, sizeof value, &value), "clSetKernelArg");
+        require_success(opencl(kernel).clSetKernelArg(kernel, index, sizeof value, &value),
+                        "clSetKernelArg");
     }
     void enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel, const Range& range);
     void record(cl_uint stage, Event event);

@@ -21,8 +21,8 @@ inline Span span_of(cl_mem memory) {
 inline Buffer part_of(const Span& span, size_t offset, size_t bytes) {
     const cl_buffer_region region = {span.offset + offset, bytes};
     cl_int status = CL_SUCCESS;
-    Buffer part(clCreateSubBuffer(span.root, CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION,
-                                  &region, &status));
+    Buffer part(opencl(span.root).clCreateSubBuffer(
+        span.root, CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION, &region, &status));
     require_success(status, "clCreateSubBuffer");
     return part;
 }

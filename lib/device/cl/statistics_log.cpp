@@ -5,17 +5,17 @@ namespace {
 
 // Of a command that failed, or cannot be waited for, less is told, and nothing else.
 void wait_for(cl_event event) noexcept {
-    if (event) clWaitForEvents(1, &event);
+    if (event) opencl(event).clWaitForEvents(1, &event);
 }
 
 // CL_PROFILING_INFO_NOT_AVAILABLE is no failure: the queue does not measure, or the command
 // failed.
 cl_ulong duration_ns(cl_event event) {
     cl_ulong start = 0, end = 0;
-    if (clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start, &start,
-                                nullptr) != CL_SUCCESS ||
-        clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) !=
-            CL_SUCCESS)
+    if (opencl(event).clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start,
+                                              &start, nullptr) != CL_SUCCESS ||
+        opencl(event).clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end,
+                                              nullptr) != CL_SUCCESS)
         return 0;
     return end > start ? end - start : 0;
 }

@@ -9,9 +9,9 @@ namespace {
 template <class Value>
 Value group_info(cl_kernel kernel, cl_device_id device, cl_kernel_work_group_info what) {
     Value value = {};
-    require_success(
-        clGetKernelWorkGroupInfo(kernel, device, what, sizeof value, &value, nullptr),
-        "clGetKernelWorkGroupInfo");
+    require_success(opencl(kernel).clGetKernelWorkGroupInfo(kernel, device, what, sizeof value,
+                                                            &value, nullptr),
+                    "clGetKernelWorkGroupInfo");
     return value;
 }
 

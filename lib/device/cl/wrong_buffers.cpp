@@ -46,18 +46,18 @@ void require_right_buffers(cl_uint bits) {
 cl_uint take_wrong_buffers(Context& context, cl_command_queue queue) {
     const cl_mem word = context.wrong_buffers();
     KeptCommands kept(context.under_way);
-    require_success(clEnqueueBarrierWithWaitList(queue, 0, nullptr, kept.next()),
+    require_success(opencl(queue).clEnqueueBarrierWithWaitList(queue, 0, nullptr, kept.next()),
                     "clEnqueueBarrierWithWaitList");
     HostRead read(queue, word, 1, kept.after_last());
     *kept.next() = read.share_event().release();
-    require_success(clFlush(queue), "clFlush");
+    require_success(opencl(queue).clFlush(queue), "clFlush");
     const cl_uint bits = *read.wait();
     if (!bits) return 0;
     const cl_uint none = 0;
-    require_success(clEnqueueFillBuffer(queue, word, &none, sizeof none, 0, sizeof none, 0,
-                                        nullptr, kept.next()),
+    require_success(opencl(queue).clEnqueueFillBuffer(queue, word, &none, sizeof none, 0,
+                                                      sizeof none, 0, nullptr, kept.next()),
                     "clEnqueueFillBuffer");
-    require_success(clFlush(queue), "clFlush");
+    require_success(opencl(queue).clFlush(queue), "clFlush");
     wait_for(*kept.after_last().events);
     return bits;
 }

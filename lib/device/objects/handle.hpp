@@ -3,17 +3,13 @@
 // release what they failed to retain.
 #pragma once
 
-#ifndef CL_TARGET_OPENCL_VERSION
-#define CL_TARGET_OPENCL_VERSION 120
-#endif
-#include <CL/cl.h>
-
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "device/error.hpp"
+#include "device/objects/opencl.hpp"
 
 namespace rsh {
 
@@ -30,16 +26,16 @@ struct Calls;
         static constexpr const char* query_name = #get_info;                    \
         static cl_int query(id object, cl_uint what, size_t bytes, void* value, \
                             size_t* needed) {                                   \
-            return get_info(object, what, bytes, value, needed);                \
+            return opencl(object).get_info(object, what, bytes, value, needed); \
         }
 #define RSH_COUNTED_CALLS(id, retain_object, release_object, get_info) \
     RSH_CALLS(id, get_info)                                            \
     static constexpr const char* retain_name = #retain_object;         \
     static cl_int retain(id object) {                                  \
-        return retain_object(object);                                  \
+        return opencl(object).retain_object(object);                   \
     }                                                                  \
     static cl_int release(id object) {                                 \
-        return release_object(object);                                 \
+        return opencl(object).release_object(object);                  \
     }                                                                  \
     }
 RSH_CALLS(cl_platform_id, clGetPlatformInfo)

@@ -13,21 +13,21 @@ void CL_CALLBACK free_words(cl_event, cl_int, void* words) {
 
 HostRead::HostRead(cl_command_queue queue, cl_mem buffer, size_t word_count, const Waits& waits)
     : words_(new cl_uint[word_count]) {
-    require_success(
-        clEnqueueReadBuffer(queue, buffer, CL_FALSE, 0, word_count * sizeof(cl_uint),
-                            words_.get(), waits.count, waits.events, event_.out()),
-        "clEnqueueReadBuffer");
+    require_success(opencl(queue).clEnqueueReadBuffer(
+                        queue, buffer, CL_FALSE, 0, word_count * sizeof(cl_uint), words_.get(),
+                        waits.count, waits.events, event_.out()),
+                    "clEnqueueReadBuffer");
 }
 
 HostRead::~HostRead() {
     if (!words_ || !event_ || has_ended(event_.get())) return;
     cl_uint* const words = words_.release();
     // A failure leaks them, on purpose.
-    clSetEventCallback(event_.get(), CL_COMPLETE, free_words, words);
+    opencl(event_.get()).clSetEventCallback(event_.get(), CL_COMPLETE, free_words, words);
 }
 
 Event HostRead::share_event() noexcept {
-    given_up_ = clRetainEvent(event_.get());
+    given_up_ = opencl(event_.get()).clRetainEvent(event_.get());
     if (given_up_ == CL_SUCCESS) return Event(event_.get());
     static_cast<void>(words_.release());  // leaked, on purpose
     return std::move(event_);

@@ -18,7 +18,8 @@ cl_int checked_status_of(cl_event event) {
 
 cl_int status_of(cl_event event) noexcept {
     cl_int status = CL_QUEUED;
-    clGetEventInfo(event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, nullptr);
+    opencl(event).clGetEventInfo(event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status,
+                                 &status, nullptr);
     return status;
 }
 
@@ -33,13 +34,14 @@ void require_none_failed(cl_uint count, const cl_event* wait_list) {
 
 // What failed tells more than that waiting failed.
 void wait_for_all(cl_uint count, const cl_event* wait_list) {
-    const cl_int waited = clWaitForEvents(count, wait_list);
+    const cl_int waited = opencl(*wait_list).clWaitForEvents(count, wait_list);
     require_none_failed(count, wait_list);
     require_success(waited, "clWaitForEvents");
 }
 
 void wait_for(cl_event event) {
-    const cl_int waited = clWaitForEvents(1, &event), status = checked_status_of(event);
+    const cl_int waited = opencl(event).clWaitForEvents(1, &event),
+                 status = checked_status_of(event);
     if (status < CL_COMPLETE)
         throw Error(kFailed, "a command failed with ", status, " ", name_or_nothing(status),
                     ": it, or what it waits for");

@@ -24,16 +24,18 @@ double seconds_of(Work work) {
 }
 
 cl_int build(cl_program program, cl_device_id device, const std::string& options) {
-    return clBuildProgram(program, 1, &device, options.c_str(), nullptr, nullptr);
+    return opencl(program).clBuildProgram(program, 1, &device, options.c_str(), nullptr,
+                                          nullptr);
 }
 
 // What the compiler says, if anything.
 std::string build_log(cl_program program, cl_device_id device) {
     size_t bytes = 0;
-    clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr, &bytes);
+    opencl(program).clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr,
+                                          &bytes);
     std::string log(bytes, '\0');
-    if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, bytes, &log[0], nullptr) !=
-        CL_SUCCESS)
+    if (opencl(program).clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, bytes,
+                                              &log[0], nullptr) != CL_SUCCESS)
         return "";
     log.resize(std::min(log.find('\0'), log.size()));
     return log;
@@ -46,8 +48,9 @@ std::vector<std::vector<unsigned char>> binaries_of(cl_program program) {
         binaries.emplace_back(bytes);
     std::vector<unsigned char*> places;
     for (auto& binary : binaries) places.push_back(binary.empty() ? nullptr : binary.data());
-    require_success(clGetProgramInfo(program, CL_PROGRAM_BINARIES,
-                                     places.size() * sizeof places[0], places.data(), nullptr),
+    require_success(opencl(program).clGetProgramInfo(program, CL_PROGRAM_BINARIES,
+                                                     places.size() * sizeof places[0],
+                                                     places.data(), nullptr),
                     "clGetProgramInfo");
     return binaries;
 }
@@ -67,7 +70,7 @@ Kernel IdleKernels::take(cl_program program, const char* name) {
     if (idle_.empty()) {
         idle_.reserve(made_ + 1);
         cl_int status = CL_SUCCESS;
-        Kernel kernel(clCreateKernel(program, name, &status));
+        Kernel kernel(opencl(program).clCreateKernel(program, name, &status));
         require_success(status, "clCreateKernel");
         ++made_;
         return kernel;
@@ -135,8 +138,8 @@ BuiltProgram Programs::load(const std::string& key, const std::string& options) 
     const unsigned char* bytes = binary->data();
     const size_t size = binary->size();
     cl_int status = CL_SUCCESS;
-    BuiltProgram program(
-        clCreateProgramWithBinary(context_, 1, &device_, &size, &bytes, nullptr, &status));
+    BuiltProgram program(opencl(context_).clCreateProgramWithBinary(
+        context_, 1, &device_, &size, &bytes, nullptr, &status));
     if (status != CL_SUCCESS || build(program.get(), device_, options) != CL_SUCCESS) return {};
     ++loaded_;
     return program;
@@ -147,7 +150,8 @@ BuiltProgram Programs::compile(const KernelName& name, const std::string& source
     const char* text = source.data();
     const size_t size = source.size();
     cl_int status = CL_SUCCESS;
-    BuiltProgram program(clCreateProgramWithSource(context_, 1, &text, &size, &status));
+    BuiltProgram program(
+        opencl(context_).clCreateProgramWithSource(context_, 1, &text, &size, &status));
     require_success(status, "clCreateProgramWithSource");
     status = build(program.get(), device_, options);
     if (status == CL_SUCCESS) return program;
