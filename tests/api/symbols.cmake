@@ -1,5 +1,5 @@
-# symbols.cmake - the shared library exports what rsh.h declares and nothing else.
-#   -D NM=... -D LIBRARY=... -D HEADER=...
+# symbols.cmake - the shared library exports what its headers declare and nothing else.
+#   -D NM=... -D LIBRARY=... -D HEADERS=a;b
 cmake_minimum_required(VERSION 3.21)
 execute_process(COMMAND ${NM} --dynamic --defined-only --format=posix ${LIBRARY}
                 OUTPUT_VARIABLE table RESULT_VARIABLE result)
@@ -15,7 +15,11 @@ foreach(line IN LISTS lines)
     endif()
 endforeach()
 
-file(READ ${HEADER} header)
+set(header)
+foreach(file IN LISTS HEADERS)
+    file(READ ${file} text)
+    string(APPEND header "${text}")
+endforeach()
 string(REGEX MATCHALL "RSH_API [a-z_ *]*[ *]rsh_[a-z_]+\\(" declarations "${header}")
 set(declared)
 foreach(declaration IN LISTS declarations)
@@ -38,6 +42,6 @@ endforeach()
 string(REGEX MATCHALL "\nRSH_API " marks "${header}")
 list(LENGTH marks marked)
 if(NOT count EQUAL marked)
-    message(SEND_ERROR "${marked} functions are marked RSH_API in ${HEADER}, found ${count}")
+    message(SEND_ERROR "${marked} functions are marked RSH_API in ${HEADERS}, found ${count}")
 endif()
 message(STATUS "${count} functions declared and exported")

@@ -1,6 +1,8 @@
 // every_call.cpp - the calls.
 #include "faults/every_call.hpp"
 
+#include <rsh/rsh_interface.h>
+
 #include <cstring>
 
 namespace test {
@@ -106,6 +108,10 @@ void EveryCall::add_information(std::vector<Call>& calls) const {
                      }});
     calls.push_back({"rsh_last_error", [] { return expect(rsh_last_error() != nullptr); }});
     calls.push_back({"rsh_version", [] { return expect(rsh_version() == RSH_VERSION); }});
+    calls.push_back({"rsh_describe_interface", [] {
+                         return expect(rsh_describe_interface()->struct_size ==
+                                       sizeof(rsh_interface));
+                     }});
     calls.push_back({"rsh_strategy_is_stable", [] {
                          return expect(rsh_strategy_is_stable(RSH_STRATEGY_CHUNK) &&
                                        !rsh_strategy_is_stable(RSH_STRATEGY_ATOMIC));

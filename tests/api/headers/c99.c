@@ -1,5 +1,5 @@
-/* c99.c - rsh.h alone, first and twice, as strict C99. Compiling is the test. */
-#include <rsh/rsh.h>
+/* c99.c - rsh_interface.h, and with it rsh.h, alone and first, as strict C99. Compiling is the test. */
+#include <rsh/rsh_interface.h>
 
 rsh_status rsh_header_is_c99(const rsh_reduce_desc* desc);
 
