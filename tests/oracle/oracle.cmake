@@ -2,7 +2,7 @@
 # without a device, for the tests and for rsh-bench.
 find_package(Threads REQUIRED)
 get_filename_component(tests ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
-set(oracle_files closest exact
+set(oracle_files closest crossings/crossings crossings/judge_crossings crossings/lattice_crossings exact
     filter found hit judge lattice lattice_numbers leaving/inside leaving/separated leaving/snell
     leaving/spawned_ray mirrors/float_state mirrors/growth mirrors/lines mirrors/mirrors mirrors/path
     mirrors/path_errors mirrors/room mirrors/waves)
