@@ -33,9 +33,8 @@
  *              Planned, so that nothing has to move: at the end of rsh_traverse_desc and
  *              rsh_build_desc rays as separate arrays, and masks; of rsh_scene offset and stride
  *              of texture coordinates; of rsh_frame_desc and rsh_rasterize_desc a window of the
- *              picture. In reserved words of rsh_geometry 16-bit indices, and ranges of several
- *              meshes with ids and masks; of rsh_camera, rsh_material, rsh_light and rsh_texture
- *              what stands beside them.
+ *              picture. In reserved words of rsh_geometry 16-bit indices; of rsh_camera,
+ *              rsh_material, rsh_light and rsh_texture what stands beside them.
  *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
  *              they were made for, and a traversal looks at that on the device. Where bounds or
  *              nodes were made for another shape, another number of triangles, a screen or list
@@ -279,8 +278,11 @@ typedef struct rsh_geometry {
                                      vertices 3i, 3i + 1, 3i + 2                          */
     cl_ulong indices_offset;      /* bytes, a multiple of 4                               */
     cl_uint triangle_count;       /* below 2^28 */
-    cl_uint reserved[7];          /* 0; for 16-bit indices, masks and ids of several meshes */
-    cl_mem reserved_buffers[4];   /* NULL; likewise */
+    cl_uint range_count;          /* meshes that the triangles are of; 0: one, with id 0   */
+    cl_uint reserved[6];          /* 0; for 16-bit indices */
+    cl_mem ranges;                /* in: range_count x rsh_mesh_range, by first_triangle;
+                                     NULL when range_count is 0                           */
+    cl_mem reserved_buffers[3];   /* NULL; likewise */
 } rsh_geometry;
 
 /* What rsh_frame takes a ray to see that it does not trace. */

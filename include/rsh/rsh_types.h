@@ -74,6 +74,18 @@ typedef struct rsh_hit {
 } rsh_hit;
 RSH_ASSERT_SIZE(rsh_hit, 16);
 
+/* Which triangles of an rsh_geometry are one of its meshes: those from first_triangle on, up to the next
+ * range's. Ranges ascend and begin with triangle 0; in what other order they come, or which numbers they
+ * have, is not found out: a triangle then is of any of them. Of ranges that begin together the last one
+ * has the triangles. */
+typedef struct rsh_mesh_range {
+    rsh_uint first_triangle;
+    rsh_uint id;       /* any number of the caller's                        */
+    rsh_uint mask;     /* all bits set; for which rays see the mesh         */
+    rsh_uint reserved; /* 0 */
+} rsh_mesh_range;
+RSH_ASSERT_SIZE(rsh_mesh_range, 16);
+
 /* What a ray hits, for shading: see rsh_find_surfaces. Where an active ray hits nothing, or a triangle
  * without a normal, and for inactive rays: primitive = RSH_NO_HIT, all else 0. */
 typedef struct rsh_surface {

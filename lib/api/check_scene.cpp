@@ -68,6 +68,8 @@ void check_buffers(Buffers& buffers, const rsh_geometry& geometry) {
                vertices ? (vertices - 1) * stride + 12 : 0, geometry.vertices_offset);
     buffers.optional_in("geometry.indices", geometry.indices,
                         cl_ulong{geometry.triangle_count} * 12, geometry.indices_offset);
+    buffers.in("geometry.ranges", geometry.ranges,
+               cl_ulong{geometry.range_count} * sizeof(rsh_mesh_range));
 }
 
 void check_shape(const rsh_scene& scene) {

@@ -131,10 +131,10 @@ protected:
 // A library that does not know a wish must not take it for none.
 TEST_F(Reserved, WordsMustBeZero) {
     auto bound = valid_.bound();
-    bound.geometry.reserved[6] = 1;
+    bound.geometry.reserved[5] = 1;
     refuses(bound, "geometry.reserved: is 1, must be 0");
     bound = valid_.bound();
-    bound.geometry.reserved_buffers[3] = whole_();
+    bound.geometry.reserved_buffers[2] = whole_();
     refuses(bound, "geometry.reserved_buffers");
     auto frame = valid_.frame();
     frame.camera.reserved[0] = 3;
