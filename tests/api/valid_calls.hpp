@@ -28,8 +28,7 @@ struct ValidCalls {
     Buffer<uint32_t> occlusion{kRays};
     Buffer<cl_float4> colour{kRays};
     Buffer<cl_float4> weights{kRays};
-    Buffer<uint8_t> bounds{384 *
-                           (host.mesh.triangle_count() / 16 + 8)};  // enough for any bound
+    Buffer<uint8_t> bounds{64 * host.mesh.triangle_count() + 65536};  // enough for any shape
     Buffer<uint8_t> nodes{64 * sizeof(cone_node4)};
     Buffer<uint32_t> words{std::vector<uint32_t>(1024, 7)};
     Buffer<uint8_t> flags{std::vector<uint8_t>(1024, 1)};
