@@ -7,18 +7,17 @@
  * corners P and Q becomes
  *   Px Qy - Py Qx + e (Py - Qy) + e^2 (Qx - Px)
  * and its sign is that of the first term that is not 0. A triangle is crossed where its three signs
- * are the same. All triangles see the same corners moved by the same vector, so that a closed surface
- * is crossed an even number of times, needles and triangles seen edge-on included: if all three terms
- * of a sum of edges are 0, the area is, and the triangle is not crossed.
+ * are the same. All triangles see the same corners moved by the same vector, so that the line of a ray
+ * crosses a closed surface an even number of times, through needles as well. A triangle seen edge-on has
+ * edge values that add up to 0, and is never crossed.
  *
- * Signs are exact. Where the edge values of mesh/intersect.h are 2^-100 or more, rounding has left
- * their sign alone: products that underflow err by 2^-126 each, and a corner that underflows when it
- * is scaled shifts a product by 2^-126 times 2^22, the most that a corner of a triangle that is hit
- * can have. Below that, a lane is decided on the corners before scaling, in integers.
+ * Signs are exact: edge values of 2^-100 or more have theirs from mesh/intersect.h, and below that a
+ * lane is decided on the corners before scaling, in integers (docs/numerics.md, Lemma 11).
  *
  * t is that of mesh/intersect.h, the same bits. Weights that underflow has left with the wrong sign
  * count as 0; and a triangle whose area, as it is seen, is below 2^-102 is taken for the longest side
- * of it: less than 2^-60 of that side lies beside it, so that the hit is within the same bounds.
+ * of it: nothing of it is farther from there than 2^-31 of its size, so that the hit is within the
+ * same bounds.
  */
 #ifndef RSH_MESH_CROSSING_H
 #define RSH_MESH_CROSSING_H
