@@ -171,26 +171,43 @@ static void place_hits(sheared_rays r, const ray_space_corners* s, const floatv*
     hits->is_hit &= is_ahead & (hits->t >= r.tmin) & (hits->t <= r.tmax);
 }
 
+/* Which of the rays' lines pass through their triangles, a mask; edge, area: see place_hits. */
+static intv find_crossed(const ray_space_corners* s, floatv* edge, floatv* area)
+{
+    const floatv U = difference_of_products(s->cx, s->by, s->cy, s->bx);
+    const floatv V = difference_of_products(s->ax, s->cy, s->ay, s->cx);
+    const floatv W = difference_of_products(s->bx, s->ay, s->by, s->ax);
+    const floatv zero = (floatv)(0.0f);
+    edge[0] = U, edge[1] = V, edge[2] = W;
+    *area = U + V + W;
+    return (((U >= zero) & (V >= zero) & (W >= zero)) |
+            ((U <= zero) & (V <= zero) & (W <= zero))) &
+           (fabs(*area) >= (floatv)(0x1p-102f));
+}
+
 /* Where the rays hit triangles that are in ray space, scaled. NaN anywhere ends in a miss. */
 static lane_hits intersect_sheared(sheared_rays r, ray_space_corners s)
 {
     lane_hits hits;
-    const floatv U = difference_of_products(s.cx, s.by, s.cy, s.bx);
-    const floatv V = difference_of_products(s.ax, s.cy, s.ay, s.cx);
-    const floatv W = difference_of_products(s.bx, s.ay, s.by, s.ax);
-    const floatv zero = (floatv)(0.0f);
-    const floatv area = U + V + W;
-    hits.is_hit = (((U >= zero) & (V >= zero) & (W >= zero)) |
-                   ((U <= zero) & (V <= zero) & (W <= zero))) &
-                  (fabs(area) >= (floatv)(0x1p-102f));
-    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = zero;
+    floatv edge[3], area;
+    hits.is_hit = find_crossed(&s, edge, &area);
+    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = (floatv)(0.0f);
 #if RSH_WIDTH > 1
     /* Across work-items it saves nothing unless all of them leave; and Intel's CPU runtime
      * (2026.22) then lost a hit of the ones that stay. */
     if (!any_lane(hits.is_hit)) return hits;
 #endif
+    place_hits(r, &s, edge, area, &hits);
+    return hits;
+}
 
-    const floatv edge[3] = {U, V, W};
+/* The same without a branch. Where about every other line passes through a triangle, as in a leaf whose
+ * box the ray meets, a CPU guesses wrong too often. Of lanes that miss, t and weights mean nothing. */
+static lane_hits intersect_unbranched(sheared_rays r, ray_space_corners s)
+{
+    lane_hits hits;
+    floatv edge[3], area;
+    hits.is_hit = find_crossed(&s, edge, &area);
     place_hits(r, &s, edge, area, &hits);
     return hits;
 }

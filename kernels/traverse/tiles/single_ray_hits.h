@@ -70,7 +70,7 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
     for_each_vector(v) {
         ray_space_corners sheared = leaf_to_ray_space(ray, leaf, v);
         if (is_scaled) scale_across(&sheared, scales_of(leaf, v));
-        const lane_hits hits = intersect_sheared(sheared_ray_of(ray), sheared);
+        const lane_hits hits = intersect_unbranched(sheared_ray_of(ray), sheared);
         uint met = RSH_LANE_BITS(hits.is_hit);
         if (!met) continue;
         float t[RSH_WIDTH], weight[RSH_WIDTH];
