@@ -30,11 +30,10 @@
  *              structs of rsh_types.h have no struct_size and never change size; their
  *              `reserved` words must be 0. Host data that descriptors point at (a scene, a wait
  *              list) is read before the call returns.
- *              Planned, so that nothing has to move: at the end of rsh_traverse_desc and
- *              rsh_build_desc rays as separate arrays, and masks; of rsh_scene offset and stride
- *              of texture coordinates; of rsh_frame_desc and rsh_rasterize_desc a window of the
- *              picture. In reserved words of rsh_geometry 16-bit indices; of rsh_camera,
- *              rsh_material, rsh_light and rsh_texture what stands beside them.
+ *              Planned, so that nothing has to move: at the end of rsh_traverse_desc masks; of
+ *              rsh_scene offset and stride of texture coordinates; of rsh_frame_desc and
+ *              rsh_rasterize_desc a window of the picture. In reserved words of rsh_geometry 16-bit
+ *              indices; of rsh_camera, rsh_material, rsh_light and rsh_texture what stands beside them.
  *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
  *              they were made for, and a traversal looks at that on the device. Where bounds or
  *              nodes were made for another shape, another number of triangles, a screen or list
@@ -614,6 +613,73 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
                                 const cl_event* wait_list, cl_event* done);
+
+/* ---- the same in one call ---- */
+
+/* Floats of rays, three or one for each, anywhere in a buffer: arrays of their own, or parts of larger
+ * records. Never changes size. */
+typedef struct rsh_ray_floats {
+    cl_mem buffer;
+    cl_ulong offset;  /* bytes before those of ray 0, a multiple of 4                       */
+    cl_uint stride;   /* bytes from a ray to the next one, a multiple of 4; 0: 12 for three
+                         floats, 4 for one, tightly packed                                  */
+    cl_uint reserved; /* 0 */
+} rsh_ray_floats;
+
+typedef struct rsh_trace_desc {
+    size_t struct_size;
+    rsh_geometry geometry;
+    cl_mem bounds;             /* in: from rsh_bound, of the shape that the engine takes; NULL: made
+                                  in scratch, which the query counts, so that there it must be NULL,
+                                  or not, as in the call                                     */
+    cl_uint width;             /* a grid or a list of rays, as in rsh_build_desc             */
+    cl_uint height;
+    cl_mem rays;               /* in: width * height x rsh_ray; NULL: made in scratch from the
+                                  arrays below. The query counts that, so that there it must be
+                                  NULL, or not, as in the call                               */
+    rsh_ray_floats origins;    /* in: x, y, z of each ray. Buffers NULL with `rays`          */
+    rsh_ray_floats directions; /* in: likewise                                               */
+    rsh_ray_floats tmin;       /* in: a float per ray; buffer NULL: 0 for all                */
+    rsh_ray_floats tmax;       /* in: likewise; buffer NULL: infinity                        */
+    cl_uint converging;        /* as in rsh_build_desc                                       */
+    cl_uint query;             /* RSH_QUERY_...                                              */
+    cl_mem hits;               /* as in rsh_traverse_desc                                    */
+    cl_mem occlusion;          /* likewise                                                   */
+    cl_uint occlusion_bit;     /* likewise                                                   */
+    cl_uint engine;            /* likewise                                                   */
+    cl_mem hit_counts;         /* likewise                                                   */
+    cl_mem hit_offsets;        /* likewise                                                   */
+    cl_ulong hit_capacity;     /* likewise                                                   */
+    cl_mem normals;            /* closest, all: out: 3 floats per hit, packed: unit normal of the
+                                  triangle, (v1 - v0) x (v2 - v0), whichever side the ray comes
+                                  from; of a miss 0. NULL: nobody wants them                 */
+    cl_mem geometry_ids;       /* closest, all: out: cl_uint per hit: id of the triangle's
+                                  rsh_mesh_range; of a miss RSH_NO_HIT. NULL: likewise       */
+    cl_uint strategy;          /* as in rsh_traverse_desc                                    */
+    size_t budget;             /* likewise                                                   */
+    cl_mem scratch;
+    rsh_progress progress;     /* likewise                                                   */
+    void* progress_user;
+    cl_mem skip;               /* likewise                                                   */
+    cl_mem list_count;         /* as in rsh_build_desc                                       */
+} rsh_trace_desc;
+
+RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* desc,
+                                   rsh_sizes* sizes);
+
+/* Finds what rays hit, from triangles and rays: rsh_bound (RSH_BOUND_FAST), rsh_build and rsh_traverse, which
+ * the caller could enqueue as well, in the shape that the engine takes.
+ *
+ * Effect:  the answers of rsh_traverse, bit for bit. Normals err by some ulp, slivers' too; where floats
+ *          cannot tell one it is 0.
+ *          list_count: normals and ids behind it stay as they are. So do all, where hits do not fit.
+ * Cost:    what the three calls cost, and what is asked for, each a program of its own that is compiled when
+ *          it is first asked for: rays out of arrays a launch and 32 bytes of scratch per ray, read
+ *          once more and written; normals, ids or both a launch.
+ *          output_bytes of the query: as of rsh_traverse_query. */
+RSH_API rsh_status rsh_trace(rsh_context context, cl_command_queue queue,
+                             const rsh_trace_desc* desc, cl_uint wait_count,
+                             const cl_event* wait_list, cl_event* done);
 
 /* ---- is it right? ---- */
 

@@ -67,6 +67,14 @@ typedef struct ray_levels {
 } ray_levels;
 RSH_ASSERT_SIZE(ray_levels, 216);
 
+/* Where an rsh_ray_floats lies in its buffer, in words of 4 bytes. */
+typedef struct ray_floats_view {
+    rsh_uint first_low, first_high;
+    rsh_uint stride;
+    rsh_uint reserved;
+} ray_floats_view;
+RSH_ASSERT_SIZE(ray_floats_view, 16);
+
 /* Words before the order of a list's rays in its nodes; see ray_levels. */
 #define RSH_RAY_ORDER_AT(tiles) (sizeof(nodes_head) / 4 + sizeof(box_node16) / 4 * (tiles))
 

@@ -13,6 +13,8 @@ constexpr cl_uint kMaxSide = 16384;
 
 void check_buffers(Buffers& buffers, const rsh_geometry& geometry);
 void check_buffers(Buffers& buffers, const rsh_scene& scene);
+// What a traversal is to find.
+void check_answers(Buffers& buffers, const rsh_traverse_desc& desc);
 
 // Words that this version of the interface gives no meaning.
 void check_reserved(const char* field, const cl_uint* words, size_t count);

@@ -26,16 +26,6 @@ void check_query(const Desc& desc) {
                 kMaxHits);
 }
 
-void check_answers(Buffers& buffers, const rsh_traverse_desc& desc) {
-    const cl_ulong rays = ray_count(desc.width, desc.height);
-    if (desc.query == RSH_QUERY_CLOSEST) buffers.out("hits", desc.hits, rays * sizeof(rsh_hit));
-    if (desc.query == RSH_QUERY_ANY) buffers.out("occlusion", desc.occlusion, rays * 4);
-    if (desc.query == RSH_QUERY_COUNT) buffers.out("hit_counts", desc.hit_counts, rays * 4);
-    if (desc.query != RSH_QUERY_ALL) return;
-    buffers.out("hit_offsets", desc.hit_offsets, (rays + 1) * sizeof(cl_ulong));
-    buffers.out("hits", desc.hits, desc.hit_capacity * sizeof(rsh_hit));
-}
-
 void check_hit_rays(Buffers& buffers, cl_uint ray_count, cl_mem rays, cl_mem hits) {
     buffers.in("rays", rays, cl_ulong{ray_count} * sizeof(rsh_ray));
     buffers.in("hits", hits, cl_ulong{ray_count} * sizeof(rsh_hit));
@@ -71,6 +61,16 @@ void check_shape(const rsh_traverse_desc& desc) {
     const Engine& engine = find_engine(desc.engine);
     require(!desc.tests_per_ray || engine.counts_tests_per_ray(), "tests_per_ray: engine",
             engine.name(), "tiles or brute_force");
+}
+
+void check_answers(Buffers& buffers, const rsh_traverse_desc& desc) {
+    const cl_ulong rays = ray_count(desc.width, desc.height);
+    if (desc.query == RSH_QUERY_CLOSEST) buffers.out("hits", desc.hits, rays * sizeof(rsh_hit));
+    if (desc.query == RSH_QUERY_ANY) buffers.out("occlusion", desc.occlusion, rays * 4);
+    if (desc.query == RSH_QUERY_COUNT) buffers.out("hit_counts", desc.hit_counts, rays * 4);
+    if (desc.query != RSH_QUERY_ALL) return;
+    buffers.out("hit_offsets", desc.hit_offsets, (rays + 1) * sizeof(cl_ulong));
+    buffers.out("hits", desc.hits, desc.hit_capacity * sizeof(rsh_hit));
 }
 
 void check_buffers(const Context& context, const rsh_traverse_desc& desc) {

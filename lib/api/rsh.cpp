@@ -4,8 +4,7 @@
 
 #include <cstring>
 
-#include "api/check.hpp"
-#include "api/settle.hpp"
+#include "api/calls.hpp"
 #include "arithmetic/probe.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
@@ -29,41 +28,6 @@ namespace rsh {
 namespace {
 
 constexpr const char* kDefaultEngineName = "auto";
-
-// Checks everything, then lets `pass` enqueue, then hands out the event; the recorder does so
-// also when `pass` throws.
-template <class Desc, class Pass>
-rsh_status enqueue(rsh_context context, const Submission& submission, const Desc* desc,
-                   cl_event* done, Pass pass) {
-    return guarded([&] {
-        if (done) *done = nullptr;
-        Context& checked = checked_context(context);
-        const Received<Desc> received(desc);
-        check_submission(checked, submission.queue, submission.wait_count,
-                         submission.wait_list);
-        const Desc settled = settled_shape(checked, *received);
-        check_buffers(checked, settled);
-        Recorder recorder(checked, submission, done);
-        pass(recorder, settled);
-        recorder.finish();
-    });
-}
-
-// Checks all but the buffers, then lets `measure` tell the sizes.
-template <class Desc, class Measure>
-rsh_status query(rsh_context context, const Desc* desc, rsh_sizes* sizes, Measure measure) {
-    return guarded([&] {
-        const Context& checked = checked_context(context);
-        const Received<Desc> received(desc);
-        check_struct(sizes, "sizes", "sizes.struct_size");
-        const Desc settled = settled_shape(checked, *received);
-        hand_back(measure(checked, settled), sizes);
-    });
-}
-
-rsh_sizes sizes_of(size_t output_bytes, size_t scratch_bytes) {
-    return {sizeof(rsh_sizes), output_bytes, scratch_bytes};
-}
 
 const char* status_text(rsh_status status) {
     switch (status) {

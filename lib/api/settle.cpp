@@ -3,6 +3,7 @@
 #include "frame/memory.hpp"
 #include "reduce/strategy.hpp"
 #include "shadow/shadow.hpp"
+#include "trace/trace.hpp"
 #include "traverse/engine.hpp"
 
 namespace rsh {
@@ -40,6 +41,10 @@ void fill_defaults(const Context& context, rsh_traverse_desc& desc) {
     fill_shape(context, desc.shape);
 }
 
+void fill_defaults(const Context& context, rsh_trace_desc& desc) {
+    fill_engine(context, desc.engine);
+}
+
 void fill_defaults(const Context& context, rsh_shadow_desc& desc) {
     fill_engine_and_its_shape(context, desc);
 }
@@ -53,6 +58,10 @@ void settle_strategy(const Context& context, rsh_reduce_desc& desc) {
 }
 
 void settle_strategy(const Context& context, rsh_traverse_desc& desc) {
+    desc.strategy = chosen_strategy(context, desc);
+}
+
+void settle_strategy(const Context& context, rsh_trace_desc& desc) {
     desc.strategy = chosen_strategy(context, desc);
 }
 

@@ -12,6 +12,7 @@ void fill_defaults(const Context&, Desc&) {}
 void fill_defaults(const Context& context, rsh_bound_desc& desc);
 void fill_defaults(const Context& context, rsh_build_desc& desc);
 void fill_defaults(const Context& context, rsh_traverse_desc& desc);
+void fill_defaults(const Context& context, rsh_trace_desc& desc);
 void fill_defaults(const Context& context, rsh_shadow_desc& desc);
 void fill_defaults(const Context& context, rsh_frame_desc& desc);
 
@@ -19,6 +20,7 @@ template <class Desc>
 void settle_strategy(const Context&, Desc&) {}
 void settle_strategy(const Context& context, rsh_reduce_desc& desc);
 void settle_strategy(const Context& context, rsh_traverse_desc& desc);
+void settle_strategy(const Context& context, rsh_trace_desc& desc);
 void settle_strategy(const Context& context, rsh_shadow_desc& desc);
 void settle_strategy(const Context& context, rsh_frame_desc& desc);
 

@@ -23,6 +23,9 @@ inline rsh_status call(const rsh_build_desc* d, cl_event* e = nullptr) {
 inline rsh_status call(const rsh_traverse_desc* d, cl_event* e = nullptr) {
     return rsh_traverse(device().rsh, device().queue(), d, 0, nullptr, e);
 }
+inline rsh_status call(const rsh_trace_desc* d, cl_event* e = nullptr) {
+    return rsh_trace(device().rsh, device().queue(), d, 0, nullptr, e);
+}
 inline rsh_status call(const rsh_audit_desc* d, cl_event* e = nullptr) {
     return rsh_audit(device().rsh, device().queue(), d, 0, nullptr, e);
 }

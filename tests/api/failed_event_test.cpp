@@ -59,6 +59,7 @@ public:
                 {"rsh_bound", bound()},
                 {"rsh_build", of(rsh_build, valid.build())},
                 {"rsh_traverse", of(rsh_traverse, valid.traverse())},
+                {"rsh_trace", of(rsh_trace, valid.trace())},
                 {"rsh_audit", of(rsh_audit, valid.audit())},
                 {"rsh_spawn", of(rsh_spawn, valid.spawn())},
                 {"rsh_spawn_wave", of(rsh_spawn_wave, valid.spawn_wave())},

@@ -26,6 +26,9 @@ rsh_status query(const rsh_build_desc* d, rsh_sizes* s) {
 rsh_status query(const rsh_traverse_desc* d, rsh_sizes* s) {
     return rsh_traverse_query(device().rsh, d, s);
 }
+rsh_status query(const rsh_trace_desc* d, rsh_sizes* s) {
+    return rsh_trace_query(device().rsh, d, s);
+}
 rsh_status query(const rsh_frame_desc* d, rsh_sizes* s) {
     return rsh_frame_query(device().rsh, d, s);
 }
@@ -142,6 +145,14 @@ TEST_F(Queries, ReadNoBuffers) {
     rsh_traverse_desc bare_traverse = traverse;
     bare_traverse.rays = bare_traverse.hits = bare_traverse.geometry.vertices = nullptr;
     expect_same_sizes(traverse, bare_traverse);
+
+    rsh_trace_desc trace = valid_.trace();
+    trace.rays = nullptr;
+    rsh_trace_desc bare_trace = trace;
+    bare_trace.hits = bare_trace.geometry.vertices = nullptr;
+    trace.origins.buffer = trace.directions.buffer = valid_.rays.get();
+    trace.normals = trace.geometry_ids = valid_.colour.get();
+    expect_same_sizes(trace, bare_trace);
 
     rsh_reduce_desc bare_reduce = valid_.reduce();
     bare_reduce.input = bare_reduce.flags = bare_reduce.output = bare_reduce.output_count =

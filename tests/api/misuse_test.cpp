@@ -49,6 +49,7 @@ TEST_F(Misuse, OfStructSizesIsRefusedByEveryCall) {
     refuses_struct_sizes(valid_.bound());
     refuses_struct_sizes(valid_.build());
     refuses_struct_sizes(valid_.traverse());
+    refuses_struct_sizes(valid_.trace());
     refuses_struct_sizes(valid_.audit());
     refuses_struct_sizes(valid_.spawn());
     refuses_struct_sizes(valid_.spawn_wave());

@@ -48,6 +48,16 @@ rsh_traverse_desc ValidCalls::traverse() const {
     return desc;
 }
 
+rsh_trace_desc ValidCalls::trace() const {
+    auto desc = empty<rsh_trace_desc>();
+    desc.geometry = scene.desc.geometry;
+    desc.rays = rays.get();
+    desc.width = desc.height = kSide;
+    desc.hits = hits.get();
+    desc.engine = RSH_ENGINE_BRUTE_FORCE;
+    return desc;
+}
+
 rsh_audit_desc ValidCalls::audit() const {
     auto desc = empty<rsh_audit_desc>();
     desc.geometry = scene.desc.geometry;

@@ -40,6 +40,7 @@ struct ValidCalls {
     rsh_bound_desc bound() const;
     rsh_build_desc build() const;
     rsh_traverse_desc traverse() const;  // brute force: needs no nodes
+    rsh_trace_desc trace() const;        // likewise
     rsh_audit_desc audit() const;
     rsh_spawn_desc spawn() const;
     rsh_spawn_wave_desc spawn_wave() const;

@@ -92,6 +92,17 @@ rsh_traverse_desc EveryCall::traverse(cl_uint engine) const {
     return desc;
 }
 
+rsh_trace_desc EveryCall::trace() const {
+    rsh_trace_desc desc = valid_.trace();
+    desc.engine = RSH_ENGINE_TILES;
+    desc.rays = nullptr;
+    desc.origins = {valid_.rays.get(), 0, sizeof(rsh_ray), 0};
+    desc.directions = {valid_.rays.get(), 16, sizeof(rsh_ray), 0};
+    desc.normals = normals_.get();
+    desc.geometry_ids = ids_.get();
+    return desc;
+}
+
 rsh_frame_desc EveryCall::frame() const {
     rsh_frame_desc desc = valid_.frame();
     desc.bounces = 1;
@@ -203,6 +214,7 @@ void EveryCall::add_queries(std::vector<Call>& calls) const {
     calls.push_back(query("rsh_build_query", rsh_build_query, build(true)));
     for (const cl_uint engine : {RSH_ENGINE_TILES, RSH_ENGINE_PAPER, RSH_ENGINE_PAPER_FAITHFUL})
         calls.push_back(query("rsh_traverse_query", rsh_traverse_query, traverse(engine)));
+    calls.push_back(query("rsh_trace_query", rsh_trace_query, trace()));
     calls.push_back(query("rsh_spawn_wave_query", rsh_spawn_wave_query, valid_.spawn_wave()));
     calls.push_back(query("rsh_shadow_query", rsh_shadow_query, valid_.shadow()));
     calls.push_back(query("rsh_frame_query", rsh_frame_query, frame()));
@@ -223,6 +235,7 @@ void EveryCall::add_passes(std::vector<Call>& calls) const {
     for (const cl_uint engine : {RSH_ENGINE_TILES, RSH_ENGINE_PAPER, RSH_ENGINE_PAPER_FAITHFUL,
                                  RSH_ENGINE_BRUTE_FORCE})
         calls.push_back(pass("rsh_traverse", rsh_traverse, traverse(engine)));
+    calls.push_back(pass("rsh_trace", rsh_trace, trace()));
     rsh_traverse_desc own_bounds = traverse(RSH_ENGINE_TILES);
     own_bounds.bounds = nullptr;
     calls.push_back(pass("rsh_traverse with bounds of its own", rsh_traverse, own_bounds));

@@ -49,6 +49,7 @@ private:
     rsh_bound_desc bound(cl_uint mode) const;
     rsh_build_desc build(bool is_list) const;
     rsh_traverse_desc traverse(cl_uint engine) const;
+    rsh_trace_desc trace() const;
     rsh_frame_desc frame() const;
     void finish() const;
 
@@ -56,6 +57,8 @@ private:
     cl::CommandQueue queue_{device().context, device().device};
     ValidCalls valid_;
     Buffer<uint8_t> box_bounds_{1u << 20}, box_nodes_{1u << 16}, list_nodes_{1u << 16};
+    Buffer<float> normals_{3 * kRays};
+    Buffer<uint32_t> ids_{kRays};
     mutable cl_event done_ = nullptr;
     mutable rsh_context made_ = nullptr;
 };
