@@ -1,7 +1,9 @@
-// device_test.cpp - rsh::Device makes what rsh's calls need, owns it, and logs when it is told to.
+// device_test.cpp - rsh::Device makes what rsh's calls need, owns it, makes the calls, and logs when
+// it is told to.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 #include <rsh/rsh.hpp>
 #include <vector>
 
@@ -12,27 +14,19 @@ namespace {
 // Packs a few words, so that a program is compiled, or taken from the cache.
 std::vector<cl_uint> reduced(const rsh::Device& device) {
     const std::vector<cl_uint> words = {5, RSH_NO_HIT, 7, RSH_NO_HIT, 9};
-    const size_t bytes = words.size() * sizeof(cl_uint);
-    const cl::Context context(device.context(), true);
-    const cl::CommandQueue queue(device.queue(), true);
-    const cl::Buffer in(context, CL_MEM_READ_WRITE, bytes),
-        out(context, CL_MEM_READ_WRITE, bytes);
-    const cl::Buffer count(context, CL_MEM_READ_WRITE, sizeof(cl_uint));
-    queue.enqueueWriteBuffer(in, CL_TRUE, 0, bytes, words.data());
+    const rsh::Buffer in = device.upload(words), out = device.buffer(words.size() * 4),
+                      count = device.buffer(sizeof(cl_uint));
     auto desc = rsh::make<rsh_reduce_desc>();
     desc.keep = RSH_KEEP_NOT_NULL;
     desc.element_bytes = 4;
     desc.count = static_cast<cl_uint>(words.size());
-    desc.input = in();
-    desc.output = out();
-    desc.output_count = count();
-    rsh::check(rsh_reduce(device.rsh(), device.queue(), &desc, 0, nullptr, nullptr));
-    queue.finish();
-    cl_uint kept = 0;
-    queue.enqueueReadBuffer(count, CL_TRUE, 0, sizeof kept, &kept);
-    std::vector<cl_uint> result(kept);
-    queue.enqueueReadBuffer(out, CL_TRUE, 0, kept * sizeof(cl_uint), result.data());
-    return result;
+    desc.input = in.get();
+    desc.output = out.get();
+    desc.output_count = count.get();
+    device.run(rsh_reduce, desc);
+    clFinish(device.queue());
+    const cl_uint kept = device.download<cl_uint>(count.get(), 1)[0];
+    return device.download<cl_uint>(out.get(), kept);
 }
 
 cl_uint references(cl_context context) {
@@ -82,6 +76,70 @@ TEST(Device, CanBeMoved) {
     first = rsh::Device();
     second = std::move(first);
     EXPECT_EQ(reduced(second), kKept);
+}
+
+TEST(Device, BuffersAreItsOwnAndFreeThemselves) {
+    const rsh::Device device;
+    const cl_uint before = references(device.context());
+    {
+        const rsh::Buffer buffer = device.upload(std::vector<cl_ushort>{1, 2, 3});
+        EXPECT_EQ(cl::Buffer(buffer.get(), true).getInfo<CL_MEM_SIZE>(), 6u);
+        EXPECT_GT(references(device.context()), before);
+        device.write(buffer.get(), std::vector<cl_ushort>{4, 5});
+        EXPECT_EQ(device.download<cl_ushort>(buffer.get(), 3),
+                  (std::vector<cl_ushort>{4, 5, 3}));
+    }
+    EXPECT_EQ(references(device.context()), before);
+}
+
+TEST(Device, EmptyArraysAreNoBuffer) {
+    const rsh::Device device;
+    EXPECT_EQ(device.upload(std::vector<cl_uint>()).get(), nullptr);
+    EXPECT_EQ(device.buffer(0).get(), nullptr);
+    device.write(nullptr, std::vector<cl_uint>());
+    EXPECT_TRUE(device.download<cl_uint>(nullptr, 0).empty());
+}
+
+// Each of the calls that enqueue has this form, and each query that of rsh_build_query.
+TEST(Device, RunsCallsBehindEvents) {
+    const rsh::Device device;
+    cl::UserEvent go(cl::Context(device.context(), true));
+    const rsh::Buffer rays = device.buffer(64 * sizeof(rsh_ray));
+    auto build = rsh::make<rsh_build_desc>();
+    build.rays = rays.get();
+    build.width = 64;
+    const size_t bytes = device.sizes_of(rsh_build_query, build).output_bytes;
+    EXPECT_GT(bytes, 0u);
+    const rsh::Buffer nodes = device.buffer(bytes);
+    build.nodes = nodes.get();
+    const rsh::Event done = device.run(rsh_build, build, {go()});
+    clFlush(device.queue());
+    const cl::Event seen(done.get(), true);
+    EXPECT_GT(seen.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(), CL_COMPLETE);
+    go.setStatus(CL_COMPLETE);
+    seen.wait();
+}
+
+TEST(Device, RefusedCallsAreErrorsThatNameTheField) {
+    const rsh::Device device;
+    auto build = rsh::make<rsh_build_desc>();
+    build.width = 64;
+    build.shape = 99;
+    for (const bool is_query : {true, false}) try {
+            is_query ? void(device.sizes_of(rsh_build_query, build))
+                     : void(device.run(rsh_build, build));
+            FAIL() << "there is no shape 99";
+        } catch (const rsh::Error& error) {
+            EXPECT_EQ(error.status(), RSH_INVALID_VALUE);
+            EXPECT_NE(std::string(error.what()).find("shape"), std::string::npos);
+        }
+    try {
+        rsh::check(rsh_build(device.rsh(), nullptr, &build, 0, nullptr, nullptr), "rsh_build");
+        FAIL() << "there is no queue";
+    } catch (const rsh::Error& error) {
+        EXPECT_EQ(std::string(error.what()).find("rsh_build: RSH_INVALID_VALUE"), 0u)
+            << error.what();
+    }
 }
 
 TEST(Device, ThatIsNotThereIsAnError) {
