@@ -102,9 +102,11 @@
  * first which rays meet the leaf. */
 #define RSH_FEW_TRIANGLES 2
 
-/* Fixed cost of one descent, in leaf visits: per packet, per ray. */
+/* Fixed cost of one descent, in leaf visits: per packet, per ray. Where it costs more than all
+ * leaves of a small scene, rays that agree on nothing stay together: at 8, they took 2.5 times as
+ * long in 330 leaves. */
 #define RSH_PACKET_COST 40.0f
-#define RSH_RAY_COST 8.0f
+#define RSH_RAY_COST 3.0f
 
 /* A block is incoherent, and its rays go alone from the start, when it may visit this share of
  * the scene's leaves: its rays agree on no order of boxes. Diffuse rays: 4.8 times as quick; at
