@@ -48,6 +48,7 @@ TEST_P(AllHits, AreThoseOfBruteForce) {
             way.budget = budget;
             way.own_scratch = budget != 0;
             way.own_bounds = budget != 0;
+            way.converging = budget != 0;
             const HitLists lists = hit_lists(mesh_, case_.rays, expected_.offsets.back(), way);
             EXPECT_TRUE(test::same_bits(lists.offsets, expected_.offsets, "offsets"));
             EXPECT_TRUE(test::same_bits(lists.hits, expected_.hits, "hits"));
