@@ -54,14 +54,14 @@ std::vector<double> frame_times(const Options& options, const SceneSettings& sce
     return times;
 }
 
-RunReport begin_report(const Device& device, const World& world,
+RunReport begin_report(const rsh::Device& device, const World& world,
                        const RenderSettings& settings) {
     RunReport report;
-    report.device = device.name();
-    report.platform = device.platform();
+    report.device = name_of(device);
+    report.platform = platform_of(device);
     cl_uint engine = settings.engine;
     if (engine == RSH_ENGINE_DEFAULT)
-        require(rsh_default_engine(device.rsh(), &engine), "rsh_default_engine");
+        rsh::check(rsh_default_engine(device.rsh(), &engine), "rsh_default_engine");
     report.engine = rsh_engine_name(engine);
     report.strategy = settings.strategy == 0 ? "default" : rsh_strategy_name(settings.strategy);
     report.triangles = world.mesh().triangles.size();
@@ -144,7 +144,7 @@ int run(const Options& options) {
     const double load_ms = milliseconds_since(start);
     stop_if_interrupted();
 
-    const Device device(options.device);
+    const rsh::Device device = open_device(options.device);
     const RenderSettings settings = render_settings(options, scene.settings);
     const std::vector<double> times = frame_times(options, scene.settings, world);
     const int count = static_cast<int>(times.size());

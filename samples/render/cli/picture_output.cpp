@@ -24,7 +24,7 @@ void PictureOutput::commit() {
     commit_output(*file_);
 }
 
-void write_layers(const std::string& path, const Device& device, const World& world,
+void write_layers(const std::string& path, const rsh::Device& device, const World& world,
                   const rsh_frame_desc& picture) {
     WholeFile file(path);
     LayerWriter writer(file, path, {picture.width, picture.height});

@@ -29,7 +29,7 @@ private:
 };
 
 // Finds them and writes them; the world is as it is in the picture.
-void write_layers(const std::string& path, const Device& device, const World& world,
+void write_layers(const std::string& path, const rsh::Device& device, const World& world,
                   const rsh_frame_desc& picture);
 
 }  // namespace render

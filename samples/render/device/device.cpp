@@ -3,32 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include <vector>
 
 namespace render {
 
-void require(rsh_status status, const char* call) {
-    if (status == RSH_SUCCESS) return;
-    throw std::runtime_error(
-        fmt::format("{}: {}: {}", call, rsh_status_string(status), rsh_last_error()));
+rsh::Device open_device(const std::string& name) {
+    return rsh::Device(name.empty() ? nullptr : name.c_str(), CL_QUEUE_PROFILING_ENABLE,
+                       rsh::log_from_environment());
 }
 
-Device::Device(const std::string& name)
-    : own_(name.empty() ? nullptr : name.c_str(), CL_QUEUE_PROFILING_ENABLE,
-           rsh::log_from_environment()),
-      context_(own_.context(), /*retainObject=*/true),
-      queue_(own_.queue(), true) {}
-
-std::string Device::name() const {
-    return cl::Device(own_.device(), true).getInfo<CL_DEVICE_NAME>();
+std::string name_of(const rsh::Device& device) {
+    return cl::Device(device.device(), true).getInfo<CL_DEVICE_NAME>();
 }
 
-std::string Device::platform() const {
-    return cl::Platform(own_.platform()).getInfo<CL_PLATFORM_NAME>();
-}
-
-cl::Buffer Device::buffer(size_t bytes) const {
-    return cl::Buffer(context_, CL_MEM_READ_WRITE, bytes);
+std::string platform_of(const rsh::Device& device) {
+    return cl::Platform(device.platform()).getInfo<CL_PLATFORM_NAME>();
 }
 
 namespace {
@@ -66,7 +55,7 @@ std::string list_devices() {
         for (const cl::Device& device : devices_of(platform))
             lines += describe(platform, device);
     cl_device_id none = nullptr;
-    if (lines.empty()) require(rsh_find_device("", nullptr, &none), "rsh_find_device");
+    if (lines.empty()) rsh::check(rsh_find_device("", nullptr, &none), "rsh_find_device");
     return lines;
 }
 

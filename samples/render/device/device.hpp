@@ -1,5 +1,4 @@
-// device.hpp - rsh::Device in the words of the C++ bindings, and the one place where statuses
-// become exceptions. Owns no scene.
+// device.hpp - opening and naming OpenCL devices. Owns none.
 #pragma once
 
 #define CL_HPP_ENABLE_EXCEPTIONS
@@ -12,27 +11,11 @@
 
 namespace render {
 
-// Throws std::runtime_error with the call's name and rsh_last_error() unless it succeeded.
-void require(rsh_status status, const char* call);
-
-class Device {
-public:
-    // The device that rsh_find_device gives for `name`; empty: its default.
-    explicit Device(const std::string& name);
-
-    const cl::Context& context() const { return context_; }
-    const cl::CommandQueue& queue() const { return queue_; }  // in order, with profiling
-    rsh_context rsh() const { return own_.rsh(); }
-    std::string name() const;
-    std::string platform() const;
-
-    cl::Buffer buffer(size_t bytes) const;
-
-private:
-    rsh::Device own_;
-    cl::Context context_;
-    cl::CommandQueue queue_;
-};
+// The device that rsh_find_device gives for `name`; empty: its default. Its queue is in order and
+// profiles.
+rsh::Device open_device(const std::string& name);
+std::string name_of(const rsh::Device& device);
+std::string platform_of(const rsh::Device& device);
 
 // One line per device: platform, name, OpenCL version, compute units, memory.
 std::string list_devices();

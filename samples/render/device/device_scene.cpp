@@ -5,16 +5,7 @@
 
 namespace render {
 
-template <typename T>
-cl::Buffer DeviceScene::upload(const std::vector<T>& items) const {
-    if (items.empty()) return cl::Buffer();  // NULL: the scene has none
-    const size_t bytes = items.size() * sizeof(T);
-    cl::Buffer buffer = device_.buffer(bytes);
-    device_.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, items.data());
-    return buffer;
-}
-
-DeviceScene::DeviceScene(const Device& device, const World& world, rsh_features without,
+DeviceScene::DeviceScene(const rsh::Device& device, const World& world, rsh_features without,
                          uint32_t cut)
     : device_(device) {
     scene_.struct_size = sizeof scene_;
@@ -26,66 +17,67 @@ DeviceScene::DeviceScene(const Device& device, const World& world, rsh_features 
 
 void DeviceScene::fill_geometry(const World& world) {
     const Mesh& mesh = world.mesh();
-    positions_ = upload(mesh.positions);
-    indices_ = upload(mesh.triangles);
-    normals_ = upload(mesh.normals);
-    texcoords_ = upload(mesh.texcoords);
-    material_ids_ = upload(mesh.material_ids);
-    scene_.geometry.vertices = positions_();
+    positions_ = device_.upload(mesh.positions);
+    indices_ = device_.upload(mesh.triangles);
+    normals_ = device_.upload(mesh.normals);
+    texcoords_ = device_.upload(mesh.texcoords);
+    material_ids_ = device_.upload(mesh.material_ids);
+    scene_.geometry.vertices = positions_.get();
     scene_.geometry.vertex_count = static_cast<cl_uint>(mesh.positions.size());
-    scene_.geometry.indices = indices_();
+    scene_.geometry.indices = indices_.get();
     scene_.geometry.triangle_count = static_cast<cl_uint>(mesh.triangles.size());
-    scene_.normals = normals_();
-    scene_.texcoords = texcoords_();
-    scene_.material_ids = material_ids_();
+    scene_.normals = normals_.get();
+    scene_.texcoords = texcoords_.get();
+    scene_.material_ids = material_ids_.get();
 }
 
 void DeviceScene::fill_shading(const World& world) {
     for (const Light& light : world.lights()) host_lights_.push_back(device_light(light));
-    materials_ = upload(world.materials());
-    lights_ = upload(host_lights_);
-    textures_ = upload(world.textures().textures());
-    texels_ = upload(world.textures().texels());
-    scene_.materials = materials_();
+    materials_ = device_.upload(world.materials());
+    lights_ = device_.upload(host_lights_);
+    textures_ = device_.upload(world.textures().textures());
+    texels_ = device_.upload(world.textures().texels());
+    scene_.materials = materials_.get();
     scene_.material_count = static_cast<cl_uint>(world.materials().size());
-    scene_.lights = lights_();
+    scene_.lights = lights_.get();
     scene_.light_count = static_cast<cl_uint>(host_lights_.size());
-    scene_.textures = textures_();
+    scene_.textures = textures_.get();
     scene_.texture_count = static_cast<cl_uint>(world.textures().textures().size());
-    scene_.texels = texels_();
+    scene_.texels = texels_.get();
     scene_.ambient = device_vector(world.ambient());
     scene_.environment = device_vector(world.environment());
     scene_.environment_texture = world.environment_texture();
 }
 
 void DeviceScene::find_features(const World& world, rsh_features without) {
-    require(rsh_find_features(&scene_, world.materials().data(), host_lights_.data()),
-            "rsh_find_features");
+    rsh::check(rsh_find_features(&scene_, world.materials().data(), host_lights_.data()),
+               "rsh_find_features");
     scene_.features &= ~without;
     if (without & RSH_FEATURE_SHADOW) scene_.shadow_lights = 0;
 }
 
+template <typename T>
+void DeviceScene::update(const rsh::Buffer& buffer, const T* values, size_t first,
+                         size_t count) const {
+    rsh::check_opencl(
+        clEnqueueWriteBuffer(device_.queue(), buffer.get(), CL_FALSE, first * sizeof(T),
+                             count * sizeof(T), values + first, 0, nullptr, nullptr),
+        "clEnqueueWriteBuffer");
+}
+
 void DeviceScene::update(const World& world) {
     const Mesh& mesh = world.mesh();
-    const cl::CommandQueue& queue = device_.queue();
     for (const VertexRange& range : world.moved()) {
-        const size_t offset = range.first * sizeof(glm::vec3);
-        const size_t bytes = range.count * sizeof(glm::vec3);
-        queue.enqueueWriteBuffer(positions_, CL_FALSE, offset, bytes,
-                                 &mesh.positions[range.first]);
+        update(positions_, mesh.positions.data(), range.first, range.count);
         if (!mesh.normals.empty())
-            queue.enqueueWriteBuffer(normals_, CL_FALSE, offset, bytes,
-                                     &mesh.normals[range.first]);
+            update(normals_, mesh.normals.data(), range.first, range.count);
     }
     if (world.has_turned_triangles())
-        queue.enqueueWriteBuffer(indices_, CL_FALSE, 0,
-                                 mesh.triangles.size() * sizeof(glm::uvec3),
-                                 mesh.triangles.data());
+        update(indices_, mesh.triangles.data(), 0, mesh.triangles.size());
     if (world.moved().empty() || host_lights_.empty()) return;
     for (size_t i = 0; i < host_lights_.size(); ++i)
         host_lights_[i] = device_light(world.lights().at(i));
-    queue.enqueueWriteBuffer(lights_, CL_FALSE, 0, host_lights_.size() * sizeof(rsh_light),
-                             host_lights_.data());
+    update(lights_, host_lights_.data(), 0, host_lights_.size());
 }
 
 }  // namespace render

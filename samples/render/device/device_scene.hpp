@@ -11,7 +11,8 @@ class DeviceScene {
 public:
     // `without` are features to leave out although the scene has them.
     // `cut`: RSH_CUT_...
-    DeviceScene(const Device& device, const World& world, rsh_features without, uint32_t cut);
+    DeviceScene(const rsh::Device& device, const World& world, rsh_features without,
+                uint32_t cut);
 
     // Uploads the vertices, normals and lights of World::moved(), and triangles that turned round.
     // Allocates nothing.
@@ -20,15 +21,16 @@ public:
     const rsh_scene& scene() const { return scene_; }
 
 private:
+    // As many values as are there from `first` on; does not wait, so they must stay.
     template <typename T>
-    cl::Buffer upload(const std::vector<T>& items) const;
+    void update(const rsh::Buffer& buffer, const T* values, size_t first, size_t count) const;
     void fill_geometry(const World& world);
     void fill_shading(const World& world);
     void find_features(const World& world, rsh_features without);
 
-    const Device& device_;
-    cl::Buffer positions_, indices_, normals_, texcoords_, material_ids_;
-    cl::Buffer materials_, lights_, textures_, texels_;
+    const rsh::Device& device_;
+    rsh::Buffer positions_, indices_, normals_, texcoords_, material_ids_;
+    rsh::Buffer materials_, lights_, textures_, texels_;
     std::vector<rsh_light> host_lights_;
     rsh_scene scene_{};
 };

@@ -17,7 +17,7 @@ struct PrimaryHits {
 
 class Rasterizer {
 public:
-    Rasterizer(const Device& device, const rsh_frame_desc& picture)
+    Rasterizer(const rsh::Device& device, const rsh_frame_desc& picture)
         : device_(device),
           picture_(picture),
           rays_(device.buffer(sizeof(rsh_ray) * picture.width * kLayerRows)),
@@ -25,33 +25,25 @@ public:
           tests_per_ray_(device, picture, kLayerRows) {}
 
     void find(uint32_t first_row, uint32_t rows, PrimaryHits& found) const {
-        rsh_rasterize_desc desc{};
-        desc.struct_size = sizeof desc;
+        auto desc = rsh::make<rsh_rasterize_desc>();
         desc.geometry = picture_.scene->geometry;
         desc.camera = picture_.camera;
         desc.width = picture_.width;
         desc.height = rows;
-        desc.rays = rays_();
-        desc.hits = hits_();
+        desc.rays = rays_.get();
+        desc.hits = hits_.get();
         desc.window = {0, first_row, picture_.width, picture_.height};
-        require(rsh_rasterize(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-                "rsh_rasterize");
-        read(rays_, found.rays, rows);
-        read(hits_, found.hits, rows);
+        device_.run(rsh_rasterize, desc);
+        const size_t pixels = size_t{picture_.width} * rows;
+        found.rays = device_.download<rsh_ray>(rays_.get(), pixels);
+        found.hits = device_.download<rsh_hit>(hits_.get(), pixels);
         found.tests = tests_per_ray_.count(rays_, rows);
     }
 
 private:
-    template <typename T>
-    void read(const cl::Buffer& buffer, std::vector<T>& values, uint32_t rows) const {
-        values.resize(size_t{picture_.width} * rows);
-        device_.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, values.size() * sizeof(T),
-                                          values.data());
-    }
-
-    const Device& device_;
+    const rsh::Device& device_;
     const rsh_frame_desc& picture_;
-    cl::Buffer rays_, hits_;
+    rsh::Buffer rays_, hits_;
     TestsPerRay tests_per_ray_;
 };
 
@@ -87,7 +79,7 @@ LayerPixel pixel_of(const World& world, const rsh_ray& ray, const rsh_hit& hit) 
 
 }  // namespace
 
-void render_layers(const Device& device, const World& world, const rsh_frame_desc& picture,
+void render_layers(const rsh::Device& device, const World& world, const rsh_frame_desc& picture,
                    const TakeLayers& take) {
     const Rasterizer rasterizer(device, picture);
     PrimaryHits found;

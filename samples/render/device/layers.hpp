@@ -14,7 +14,7 @@ namespace render {
 using TakeLayers = std::function<void(const LayerStrip&)>;
 
 // `picture` describes a frame of the world as it is now. 64 rows are held at a time.
-void render_layers(const Device& device, const World& world, const rsh_frame_desc& picture,
+void render_layers(const rsh::Device& device, const World& world, const rsh_frame_desc& picture,
                    const TakeLayers& take);
 
 }  // namespace render

@@ -25,7 +25,7 @@ private:
 
 }  // namespace
 
-Renderer::Renderer(const Device& device, World& world, const RenderSettings& settings)
+Renderer::Renderer(const rsh::Device& device, World& world, const RenderSettings& settings)
     : device_(device),
       world_(world),
       settings_(settings),
@@ -40,20 +40,15 @@ Renderer::Renderer(const Device& device, World& world, const RenderSettings& set
 
 // Kept from frame to frame, so that the order of the triangles is not made anew for each.
 void Renderer::make_bounds() {
-    rsh_bound_desc desc{};
-    desc.struct_size = sizeof desc;
+    auto desc = rsh::make<rsh_bound_desc>();
     desc.geometry = scene_.scene().geometry;
     desc.shape = settings_.bound ? settings_.bound : rsh_engine_shape(settings_.engine);
-    rsh_sizes sizes{};
-    sizes.struct_size = sizeof sizes;
-    require(rsh_bound_query(device_.rsh(), &desc, &sizes), "rsh_bound_query");
-    if (sizes.output_bytes > 0) bounds_ = device_.buffer(sizes.output_bytes);
+    bounds_ = device_.buffer(device_.sizes_of(rsh_bound_query, desc).output_bytes);
 }
 
 rsh_frame_desc Renderer::frame_desc() const {
     const glm::vec2 size(settings_.size);
-    rsh_frame_desc desc{};
-    desc.struct_size = sizeof desc;
+    auto desc = rsh::make<rsh_frame_desc>();
     desc.scene = &scene_.scene();
     desc.camera = device_camera(world_.camera(), size.x / size.y);
     desc.width = settings_.size.x;
@@ -64,8 +59,8 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.shape = settings_.bound;
     desc.strategy = settings_.strategy;
     desc.budget = plan_.frame_budget;
-    desc.colour = colour_();
-    desc.bounds = bounds_();
+    desc.colour = colour_.get();
+    desc.bounds = bounds_.get();
     desc.mode = has_bounds_ ? RSH_BOUND_REFIT : RSH_BOUND_QUALITY;
     return desc;
 }
@@ -84,10 +79,10 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user,
     Stopwatch watch;
     world_.move_to(time);
     scene_.update(world_);
-    device_.queue().finish();
+    rsh::check_opencl(clFinish(device_.queue()), "clFinish");
     measure.upload_ms = watch.lap();
 
-    require(rsh_count_statistics(device_.rsh(), settings_.counts), "rsh_count_statistics");
+    rsh::check(rsh_count_statistics(device_.rsh(), settings_.counts), "rsh_count_statistics");
     for (uint32_t row = 0; row < settings_.size.y; row += plan_.rows) {
         rsh_frame_desc desc = strip_desc(row);
         desc.progress = progress;
@@ -98,17 +93,17 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user,
     }
     measure.statistics.struct_size = sizeof measure.statistics;
     if (settings_.counts)
-        require(rsh_get_statistics(device_.rsh(), &measure.statistics), "rsh_get_statistics");
+        rsh::check(rsh_get_statistics(device_.rsh(), &measure.statistics),
+                   "rsh_get_statistics");
     return measure;
 }
 
 void Renderer::render_strip(const rsh_frame_desc& desc, FrameMeasure& measure) {
     Stopwatch watch;
-    cl::Event done;
-    require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, &done()),
-            "rsh_frame");
-    done.wait();
-    has_bounds_ = bounds_() != nullptr;
+    const rsh::Event done = device_.run(rsh_frame, desc);
+    const cl_event event = done.get();
+    rsh::check_opencl(clWaitForEvents(1, &event), "clWaitForEvents");
+    has_bounds_ = bounds_.get() != nullptr;
     measure.total_ms += watch.lap();
 }
 
@@ -116,14 +111,13 @@ void Renderer::read_strip(const rsh_frame_desc& desc, FrameMeasure& measure) {
     Stopwatch watch;
     strip_.first_row = desc.window.y;
     strip_.rows = desc.height;
-    const size_t bytes = size_t{desc.width} * desc.height * sizeof(rsh_float4);
-    device_.queue().enqueueReadBuffer(colour_, CL_TRUE, 0, bytes, strip_.pixels.data());
+    device_.read(colour_.get(), strip_.pixels.data(), size_t{4} * desc.width * desc.height);
     measure.read_ms += watch.lap();
 }
 
 rsh_audit_report Renderer::audit(uint32_t rays, uint32_t seed, rsh_progress progress,
                                  void* user) {
-    const cl::Buffer found = device_.buffer(sizeof(rsh_audit_report));
+    const rsh::Buffer found = device_.buffer(sizeof(rsh_audit_report));
     rsh_audit_report sum{};
     sum.first_ray = RSH_NO_HIT;
     for (uint32_t row = 0; row < settings_.size.y; row += plan_.rows) {
@@ -132,11 +126,9 @@ rsh_audit_report Renderer::audit(uint32_t rays, uint32_t seed, rsh_progress prog
         desc.progress_user = user;
         desc.audit_rays = rays;
         desc.audit_seed = seed;
-        desc.audit = found();
-        require(rsh_frame(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-                "rsh_frame");
-        rsh_audit_report strip{};
-        device_.queue().enqueueReadBuffer(found, CL_TRUE, 0, sizeof strip, &strip);
+        desc.audit = found.get();
+        device_.run(rsh_frame, desc);
+        const auto strip = device_.download<rsh_audit_report>(found.get(), 1)[0];
         if (sum.differences == 0) sum.first_ray = strip.first_ray;
         sum.rays += strip.rays;
         sum.differences += strip.differences;

@@ -39,7 +39,7 @@ using TakeStrip = std::function<void(const Strip&)>;
 
 class Renderer {
 public:
-    Renderer(const Device& device, World& world, const RenderSettings& settings);
+    Renderer(const rsh::Device& device, World& world, const RenderSettings& settings);
 
     FrameMeasure render(double time, rsh_progress progress, void* user, const TakeStrip& take);
 
@@ -59,14 +59,14 @@ private:
     void render_strip(const rsh_frame_desc& desc, FrameMeasure& measure);
     void read_strip(const rsh_frame_desc& desc, FrameMeasure& measure);
 
-    const Device& device_;
+    const rsh::Device& device_;
     World& world_;
     RenderSettings settings_;
     DeviceScene scene_;
-    cl::Buffer bounds_;
+    rsh::Buffer bounds_;
     bool has_bounds_ = false;  // of an earlier frame
     StripPlan plan_;
-    cl::Buffer colour_;  // of a strip
+    rsh::Buffer colour_;  // of a strip
     Strip strip_;
 };
 

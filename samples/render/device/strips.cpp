@@ -13,8 +13,8 @@ constexpr uint32_t kLeastRows = 64;  // as PictureWriter takes them, and rsh_fra
 constexpr size_t kDefaultMost = size_t{3} << 29;
 constexpr size_t kShareOfColours = 8;  // of the budget, its inverse
 
-size_t default_budget(const Device& device) {
-    const auto own = device.queue().getInfo<CL_QUEUE_DEVICE>();
+size_t default_budget(const rsh::Device& device) {
+    const cl::Device own(device.device(), /*retainObject=*/true);
     const cl_ulong quarter = own.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() / 4;
     const cl_ulong largest = own.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     return std::min<cl_ulong>({quarter, largest, kDefaultMost});
@@ -26,12 +26,11 @@ size_t colour_bytes(const rsh_frame_desc& picture, uint32_t rows) {
 }
 
 // What rsh_frame takes for so many rows of the picture; 0: it cannot with that budget.
-size_t scratch_bytes(const Device& device, rsh_frame_desc picture, const StripPlan& plan) {
+size_t scratch_bytes(const rsh::Device& device, rsh_frame_desc picture, const StripPlan& plan) {
     picture.window = {0, 0, picture.width, picture.height};
     picture.height = plan.rows;
     picture.budget = plan.frame_budget;
-    rsh_sizes sizes{};
-    sizes.struct_size = sizeof sizes;
+    auto sizes = rsh::make<rsh_sizes>();
     const rsh_status status = rsh_frame_query(device.rsh(), &picture, &sizes);
     return status == RSH_SUCCESS ? sizes.scratch_bytes : 0;
 }
@@ -42,7 +41,7 @@ uint32_t rows_by_share(const rsh_frame_desc& picture, size_t budget) {
     return static_cast<uint32_t>(std::min<size_t>(rows, picture.height));
 }
 
-size_t least_budget(const Device& device, const rsh_frame_desc& picture, uint32_t rows) {
+size_t least_budget(const rsh::Device& device, const rsh_frame_desc& picture, uint32_t rows) {
     const auto fits = [&](size_t bytes) {
         return scratch_bytes(device, picture, {rows, bytes}) > 0;
     };
@@ -58,7 +57,7 @@ size_t least_budget(const Device& device, const rsh_frame_desc& picture, uint32_
 
 }  // namespace
 
-StripPlan plan_strips(const Device& device, const rsh_frame_desc& picture, size_t budget) {
+StripPlan plan_strips(const rsh::Device& device, const rsh_frame_desc& picture, size_t budget) {
     const size_t most = budget ? budget : default_budget(device);
     const StripPlan whole{picture.height, 0};
     if (!budget &&

@@ -15,6 +15,6 @@ struct StripPlan {
 // most its largest allocation and 1.5 GiB. The strips' colours, on the device and on the host, take
 // at most an eighth where they can, rsh_frame the rest. Throws std::runtime_error, which names the
 // least, where `budget` is too small for 64 rows.
-StripPlan plan_strips(const Device& device, const rsh_frame_desc& picture, size_t budget);
+StripPlan plan_strips(const rsh::Device& device, const rsh_frame_desc& picture, size_t budget);
 
 }  // namespace render

@@ -12,19 +12,19 @@ namespace render {
 class TestsPerRay {
 public:
     // Of the picture's geometry as it is now; for up to `most_rows` rows of it at a time.
-    TestsPerRay(const Device& device, const rsh_frame_desc& picture, uint32_t most_rows);
+    TestsPerRay(const rsh::Device& device, const rsh_frame_desc& picture, uint32_t most_rows);
 
     // rays: of `rows` whole rows.
-    std::vector<uint32_t> count(const cl::Buffer& rays, uint32_t rows) const;
+    std::vector<uint32_t> count(const rsh::Buffer& rays, uint32_t rows) const;
 
 private:
-    rsh_build_desc build(const cl::Buffer& rays, uint32_t rows) const;
-    rsh_traverse_desc traverse(const cl::Buffer& rays, uint32_t rows) const;
+    rsh_build_desc build(const rsh::Buffer& rays, uint32_t rows) const;
+    rsh_traverse_desc traverse(const rsh::Buffer& rays, uint32_t rows) const;
 
-    const Device& device_;
+    const rsh::Device& device_;
     const rsh_geometry geometry_;
     const uint32_t width_;
-    cl::Buffer bounds_, nodes_, hits_, tests_;
+    rsh::Buffer bounds_, nodes_, hits_, tests_;
 };
 
 }  // namespace render
