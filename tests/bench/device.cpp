@@ -4,18 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <stdexcept>
 #include <thread>
 
 #include "commit.hpp"
 
 namespace bench {
-
-void require(rsh_status status, const char* call) {
-    if (status == RSH_SUCCESS) return;
-    throw std::runtime_error(
-        fmt::format("{}: {}: {}", call, rsh_status_string(status), rsh_last_error()));
-}
 
 std::string describe_error(const std::exception& error) {
     const auto* cl_error = dynamic_cast<const cl::Error*>(&error);

@@ -1,5 +1,4 @@
-// device.hpp - the device that is measured, opened by the library's own rules, and its
-// description. The one place where statuses become exceptions.
+// device.hpp - the device that is measured, opened by the library's own rules, and its description.
 #pragma once
 
 #define CL_HPP_ENABLE_EXCEPTIONS
@@ -16,9 +15,6 @@
 #include "memory.hpp"
 
 namespace bench {
-
-// Throws std::runtime_error with the call's name and rsh_last_error() unless it succeeded.
-void require(rsh_status status, const char* call);
 
 // What an exception says, with the name of OpenCL's error.
 std::string describe_error(const std::exception& error);

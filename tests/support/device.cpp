@@ -3,7 +3,6 @@
 #include "support/device.hpp"
 
 #include <rsh/rsh.hpp>
-#include <stdexcept>
 
 namespace test {
 namespace {
@@ -57,9 +56,7 @@ OwnContext::~OwnContext() {
 }
 
 void check(rsh_status status, const char* call) {
-    if (status == RSH_SUCCESS) return;
-    throw std::runtime_error(std::string(call) + ": " + rsh_status_string(status) + ": " +
-                             rsh_last_error());
+    ::rsh::check(status, call);
 }
 
 }  // namespace test

@@ -62,8 +62,8 @@ void RayMaker::see(const SceneOnDevice& scene) {
     desc.height = size_.height;
     desc.rays = rays_();
     desc.hits = hits_();
-    require(rsh_rasterize(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_rasterize");
+    rsh::check(rsh_rasterize(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_rasterize");
 }
 
 // Leaves the spawned rays in rays_.
@@ -79,8 +79,8 @@ void RayMaker::spawn(const SceneOnDevice& scene, cl_uint kind) {
     desc.hits = hits_();
     desc.spawned_rays = spawned_();
     desc.spawned_weights = weights_();
-    require(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_spawn");
+    rsh::check(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_spawn");
     std::swap(rays_, spawned_);
 }
 
@@ -93,11 +93,11 @@ void RayMaker::trace(const SceneOnDevice& scene) {
     build.height = size_.height;
     rsh_sizes sizes{};
     sizes.struct_size = sizeof sizes;
-    require(rsh_build_query(device_.rsh(), &build, &sizes), "rsh_build_query");
+    rsh::check(rsh_build_query(device_.rsh(), &build, &sizes), "rsh_build_query");
     const cl::Buffer nodes(device_.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
     build.nodes = nodes();
-    require(rsh_build(device_.rsh(), device_.queue()(), &build, 0, nullptr, nullptr),
-            "rsh_build");
+    rsh::check(rsh_build(device_.rsh(), device_.queue()(), &build, 0, nullptr, nullptr),
+               "rsh_build");
     rsh_traverse_desc traverse{};
     traverse.struct_size = sizeof traverse;
     traverse.geometry = scene.geometry();
@@ -106,8 +106,8 @@ void RayMaker::trace(const SceneOnDevice& scene) {
     traverse.width = size_.width;
     traverse.height = size_.height;
     traverse.hits = hits_();
-    require(rsh_traverse(device_.rsh(), device_.queue()(), &traverse, 0, nullptr, nullptr),
-            "rsh_traverse");
+    rsh::check(rsh_traverse(device_.rsh(), device_.queue()(), &traverse, 0, nullptr, nullptr),
+               "rsh_traverse");
     device_.queue().finish();
 }
 

@@ -59,11 +59,11 @@ cl::Buffer RshTracer::own(size_t bytes) {
 // A traversal's scratch memory holds bounds and nodes that are not given: here they will be.
 void RshTracer::find_sizes() {
     rsh_sizes bound = empty_sizes(), build = empty_sizes(), traverse = empty_sizes();
-    require(rsh_bound_query(device_.rsh(), &bound_, &bound), "rsh_bound_query");
-    require(rsh_build_query(device_.rsh(), &build_, &build), "rsh_build_query");
+    rsh::check(rsh_bound_query(device_.rsh(), &bound_, &bound), "rsh_bound_query");
+    rsh::check(rsh_build_query(device_.rsh(), &build_, &build), "rsh_build_query");
     const cl::Buffer stand_in(device_.context(), CL_MEM_READ_WRITE, sizeof(cl_uint));
     traverse_.bounds = traverse_.nodes = stand_in();
-    require(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
+    rsh::check(rsh_traverse_query(device_.rsh(), &traverse_, &traverse), "rsh_traverse_query");
     bounds_bytes_ = bound.output_bytes;
     nodes_bytes_ = build.output_bytes;
     // The calls run one after the other, so that one scratch buffer serves all.
@@ -104,10 +104,10 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
         if (is_shadow_)
             device_.queue().enqueueFillBuffer(answers_, cl_uint{0}, 0,
                                               size_.pixels() * sizeof(cl_uint));
-        require(rsh_bound(device_.rsh(), queue, &bound_, 0, nullptr, &bound()), "rsh_bound");
-        require(rsh_build(device_.rsh(), queue, &build_, 0, nullptr, &build()), "rsh_build");
-        require(rsh_traverse(device_.rsh(), queue, &traverse_, 0, nullptr, &traverse()),
-                "rsh_traverse");
+        rsh::check(rsh_bound(device_.rsh(), queue, &bound_, 0, nullptr, &bound()), "rsh_bound");
+        rsh::check(rsh_build(device_.rsh(), queue, &build_, 0, nullptr, &build()), "rsh_build");
+        rsh::check(rsh_traverse(device_.rsh(), queue, &traverse_, 0, nullptr, &traverse()),
+                   "rsh_traverse");
         device_.queue().finish();
     });
     if (is_refit_) bound_.mode = RSH_BOUND_REFIT;
@@ -119,8 +119,8 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
 
 void RshTracer::build(const cl::Buffer& rays) {
     build_.rays = rays();
-    require(rsh_build(device_.rsh(), device_.queue()(), &build_, 0, nullptr, nullptr),
-            "rsh_build");
+    rsh::check(rsh_build(device_.rsh(), device_.queue()(), &build_, 0, nullptr, nullptr),
+               "rsh_build");
     device_.queue().finish();
 }
 
@@ -137,20 +137,20 @@ size_t RshTracer::mismatches() const {
     desc.sample = static_cast<cl_uint>(
         std::clamp(kTests / traverse_.geometry.triangle_count, 64.0, 1024.0));
     desc.report = found();
-    require(rsh_audit(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_audit");
+    rsh::check(rsh_audit(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_audit");
     rsh_audit_report report{};
     device_.queue().enqueueReadBuffer(found, CL_TRUE, 0, sizeof report, &report);
     return report.differences;
 }
 
 FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {
-    require(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
+    rsh::check(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
     trace(rays);
     rsh_statistics statistics{};
     statistics.struct_size = sizeof statistics;
-    require(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
-    require(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
+    rsh::check(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
+    rsh::check(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
     const double tests = double(statistics.node_tests) + double(statistics.ray_tests);
     FrameWork work = {tests / double(std::max<size_t>(active_rays, 1)),
                       statistics.peak_pairs,

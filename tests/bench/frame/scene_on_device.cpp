@@ -38,8 +38,8 @@ SceneOnDevice::SceneOnDevice(const Device& device, const FrameScene& scene)
     scene_.material_count = static_cast<cl_uint>(scene.materials().size());
     scene_.lights = lights_();
     scene_.light_count = static_cast<cl_uint>(lights.size());
-    require(rsh_find_features(&scene_, scene.materials().data(), lights.data()),
-            "rsh_find_features");
+    rsh::check(rsh_find_features(&scene_, scene.materials().data(), lights.data()),
+               "rsh_find_features");
 }
 
 void SceneOnDevice::move(double time) {

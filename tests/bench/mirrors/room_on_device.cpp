@@ -24,10 +24,11 @@ cl::Buffer nodes_over(const Device& device, const cl::Buffer& rays, size_t count
     desc.width = static_cast<cl_uint>(count);
     rsh_sizes sizes{};
     sizes.struct_size = sizeof sizes;
-    require(rsh_build_query(device.rsh(), &desc, &sizes), "rsh_build_query");
+    rsh::check(rsh_build_query(device.rsh(), &desc, &sizes), "rsh_build_query");
     cl::Buffer nodes(device.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
     desc.nodes = nodes();
-    require(rsh_build(device.rsh(), device.queue()(), &desc, 0, nullptr, nullptr), "rsh_build");
+    rsh::check(rsh_build(device.rsh(), device.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_build");
     return nodes;
 }
 
@@ -48,7 +49,7 @@ RoomOnDevice::RoomOnDevice(const Device& device, const oracle::MirrorRoom& room)
     scene_.normals = normals_();
     scene_.materials = materials_();
     scene_.material_count = 1;
-    require(rsh_find_features(&scene_, materials.data(), nullptr), "rsh_find_features");
+    rsh::check(rsh_find_features(&scene_, materials.data(), nullptr), "rsh_find_features");
 }
 
 std::vector<rsh_hit> RoomOnDevice::closest(const std::vector<rsh_ray>& rays,
@@ -64,8 +65,8 @@ std::vector<rsh_hit> RoomOnDevice::closest(const std::vector<rsh_ray>& rays,
     desc.nodes = nodes();
     desc.width = static_cast<cl_uint>(rays.size());
     desc.hits = hits();
-    require(rsh_traverse(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_traverse");
+    rsh::check(rsh_traverse(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_traverse");
     return read<rsh_hit>(device_, hits, rays.size());
 }
 
@@ -85,8 +86,8 @@ oracle::Wave RoomOnDevice::mirrored(const oracle::Wave& wave) {
     desc.spawned_rays = spawned();
     desc.spawned_weights = weights();
     desc.spawned_skip = skip();
-    require(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_spawn");
+    rsh::check(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_spawn");
     return {read<rsh_ray>(device_, spawned, count), read<cl_uint>(device_, skip, count), {}};
 }
 

@@ -36,7 +36,8 @@ public:
     }
 
     void run() override {
-        require(rsh_reduce(rsh_, device_.queue()(), &desc_, 0, nullptr, nullptr), "rsh_reduce");
+        rsh::check(rsh_reduce(rsh_, device_.queue()(), &desc_, 0, nullptr, nullptr),
+                   "rsh_reduce");
         device_.queue().finish();
     }
     bool is_right() const override {
@@ -46,12 +47,13 @@ public:
                                rsh_strategy_is_stable(desc_.strategy) != CL_FALSE);
     }
     cl_ulong launches() const override {
-        require(rsh_count_statistics(rsh_, CL_TRUE), "rsh_count_statistics");
-        require(rsh_reduce(rsh_, device_.queue()(), &desc_, 0, nullptr, nullptr), "rsh_reduce");
+        rsh::check(rsh_count_statistics(rsh_, CL_TRUE), "rsh_count_statistics");
+        rsh::check(rsh_reduce(rsh_, device_.queue()(), &desc_, 0, nullptr, nullptr),
+                   "rsh_reduce");
         rsh_statistics statistics{};
         statistics.struct_size = sizeof statistics;
-        require(rsh_get_statistics(rsh_, &statistics), "rsh_get_statistics");
-        require(rsh_count_statistics(rsh_, CL_FALSE), "rsh_count_statistics");
+        rsh::check(rsh_get_statistics(rsh_, &statistics), "rsh_get_statistics");
+        rsh::check(rsh_count_statistics(rsh_, CL_FALSE), "rsh_count_statistics");
         return statistics.launches;
     }
 
@@ -104,7 +106,7 @@ std::unique_ptr<Contender> make_contender(const std::string& name, const Device&
         if (name == library) return make_library(name, device, stream);
     if (name.rfind("peer:", 0) == 0) return make_copy(name, device, stream, stream.output);
     cl_uint strategy = 0;
-    require(rsh_strategy_from_name(name.c_str(), &strategy), "rsh_strategy_from_name");
+    rsh::check(rsh_strategy_from_name(name.c_str(), &strategy), "rsh_strategy_from_name");
     return std::make_unique<OwnStrategy>(strategy, device, rsh, stream);
 }
 

@@ -11,10 +11,10 @@ size_t scratch_bytes(const Heat& heat, const std::string& name, rsh_context rsh)
     desc.keep = id_of(heat.keep);
     desc.element_bytes = heat.stream.bytes;
     desc.count = heat.stream.count;
-    require(rsh_strategy_from_name(name.c_str(), &desc.strategy), "rsh_strategy_from_name");
+    rsh::check(rsh_strategy_from_name(name.c_str(), &desc.strategy), "rsh_strategy_from_name");
     rsh_sizes sizes{};
     sizes.struct_size = sizeof sizes;
-    require(rsh_reduce_query(rsh, &desc, &sizes), "rsh_reduce_query");
+    rsh::check(rsh_reduce_query(rsh, &desc, &sizes), "rsh_reduce_query");
     return sizes.scratch_bytes;
 }
 

@@ -67,12 +67,12 @@ private:
         desc.shape = RSH_SHAPE_CONE;
         rsh_sizes sizes{};
         sizes.struct_size = sizeof sizes;
-        require(rsh_build_query(device_.rsh(), &desc, &sizes), "rsh_build_query");
+        rsh::check(rsh_build_query(device_.rsh(), &desc, &sizes), "rsh_build_query");
         levels_ = rsh::cone_levels(desc.width, desc.height);
         nodes_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE, sizes.output_bytes);
         desc.nodes = nodes_();
-        require(rsh_build(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-                "rsh_build");
+        rsh::check(rsh_build(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+                   "rsh_build");
         quads_.resize(levels_.first_child_group[levels_.count]);
         device_.queue().enqueueReadBuffer(nodes_, CL_TRUE, sizeof(nodes_head),
                                           quads_.size() * sizeof(cone_node4), quads_.data());
@@ -88,8 +88,8 @@ private:
         desc.geometry = scene_.geometry();
         desc.shape = RSH_SHAPE_CONE;
         desc.bounds = buffer();
-        require(rsh_bound(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-                "rsh_bound");
+        rsh::check(rsh_bound(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+                   "rsh_bound");
         device_.queue().enqueueReadBuffer(buffer, CL_TRUE, sizeof(spheres_head), bytes,
                                           spheres_.data());
     }
@@ -118,13 +118,13 @@ rsh_statistics Hierarchy::count() const {
     const cl::Buffer hits(device_.context(), CL_MEM_READ_WRITE,
                           kFrame.pixels() * sizeof(rsh_hit));
     desc.hits = hits();
-    require(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
-    require(rsh_traverse(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_traverse");
+    rsh::check(rsh_count_statistics(device_.rsh(), CL_TRUE), "rsh_count_statistics");
+    rsh::check(rsh_traverse(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_traverse");
     rsh_statistics statistics{};
     statistics.struct_size = sizeof statistics;
-    require(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
-    require(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
+    rsh::check(rsh_get_statistics(device_.rsh(), &statistics), "rsh_get_statistics");
+    rsh::check(rsh_count_statistics(device_.rsh(), CL_FALSE), "rsh_count_statistics");
     return statistics;
 }
 

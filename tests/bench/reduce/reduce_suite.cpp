@@ -30,7 +30,7 @@ public:
         desc.context = device.context()();
         desc.device = device.device()();
         desc.vector_width = width;
-        require(rsh_create_context(&desc, &own_), "rsh_create_context");
+        rsh::check(rsh_create_context(&desc, &own_), "rsh_create_context");
         context_ = own_;
     }
     ~WidthContext() { rsh_release_context(own_); }

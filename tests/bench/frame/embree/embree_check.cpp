@@ -42,8 +42,8 @@ std::vector<rsh_hit> brute_force_hits(const Device& device, const rsh_geometry& 
     desc.width = static_cast<cl_uint>(rays.size());
     desc.hits = out();
     desc.engine = RSH_ENGINE_BRUTE_FORCE;
-    require(rsh_traverse(device.rsh(), device.queue()(), &desc, 0, nullptr, nullptr),
-            "rsh_traverse");
+    rsh::check(rsh_traverse(device.rsh(), device.queue()(), &desc, 0, nullptr, nullptr),
+               "rsh_traverse");
     device.queue().enqueueReadBuffer(out, CL_TRUE, 0, hit_bytes, hits.data());
     return hits;
 }

@@ -34,7 +34,7 @@ public:
         desc_.material_count = static_cast<cl_uint>(scene.spawning->materials.size());
         desc_.lights = lights_();
         desc_.light_count = 1;
-        require(
+        rsh::check(
             rsh_find_features(&desc_, scene.spawning->materials.data(), &scene.spawning->light),
             "rsh_find_features");
     }
@@ -51,8 +51,8 @@ public:
         desc.spawned_rays = spawned_rays_();
         desc.spawned_weights = kind == RSH_SPAWN_SHADOW ? nullptr : weights_();
         desc.spawned_skip = skip_();
-        require(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
-                "rsh_spawn");
+        rsh::check(rsh_spawn(device_.rsh(), device_.queue()(), &desc, 0, nullptr, nullptr),
+                   "rsh_spawn");
         const auto rays = read<rsh_ray>(spawned_rays_);
         const auto weights = read<cl_float4>(weights_);
         const auto skip = read<cl_uint>(skip_);
