@@ -4,13 +4,8 @@
 
 #include <algorithm>
 
+#include "oracle/clones.hpp"
 #include "support/rays.hpp"
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define RSH_TEST_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define RSH_TEST_CLONES
-#endif
 
 namespace oracle {
 namespace {

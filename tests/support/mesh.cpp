@@ -9,17 +9,6 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-// A closed surface from a (rings x segments) lattice of vertices; `wrap` closes the rings.
-void add_lattice(Mesh& mesh, uint32_t segments, uint32_t rings) {
-    for (uint32_t r = 0; r < rings; ++r)
-        for (uint32_t s = 0; s < segments; ++s) {
-            const uint32_t a = r * segments + s, b = r * segments + (s + 1) % segments;
-            const uint32_t c = (r + 1) % rings * segments + s;
-            const uint32_t d = (r + 1) % rings * segments + (s + 1) % segments;
-            mesh.indices.insert(mesh.indices.end(), {a, b, c, b, d, c});
-        }
-}
-
 Corners degenerate_triangle(Random& random) {
     const Float3 a = random.in_cube(), b = random.in_cube(), c = random.in_cube();
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -63,6 +52,16 @@ bool Mesh::corners(uint32_t triangle, Corners* out) const {
 
 void Mesh::add(Float3 a, Float3 b, Float3 c) {
     vertices.insert(vertices.end(), {a, b, c});
+}
+
+void add_closed_lattice(Mesh& mesh, uint32_t segments, uint32_t rings) {
+    for (uint32_t r = 0; r < rings; ++r)
+        for (uint32_t s = 0; s < segments; ++s) {
+            const uint32_t a = r * segments + s, b = r * segments + (s + 1) % segments;
+            const uint32_t c = (r + 1) % rings * segments + s;
+            const uint32_t d = (r + 1) % rings * segments + (s + 1) % segments;
+            mesh.indices.insert(mesh.indices.end(), {a, b, c, b, d, c});
+        }
 }
 
 Mesh random_soup(Random& random, uint32_t count, float size) {
@@ -111,7 +110,7 @@ Mesh torus(uint32_t segments, uint32_t rings, float radius, float tube) {
             const float out = radius + tube * std::cos(v);
             mesh.vertices.push_back({out * std::cos(u), tube * std::sin(v), out * std::sin(u)});
         }
-    add_lattice(mesh, segments, rings);
+    add_closed_lattice(mesh, segments, rings);
     return mesh;
 }
 

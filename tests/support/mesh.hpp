@@ -31,6 +31,9 @@ Mesh sphere(uint32_t segments, uint32_t rings, float radius = 1.0f);
 // ... and 2 * rings * segments.
 Mesh torus(uint32_t segments, uint32_t rings, float radius = 1.0f, float tube = 0.4f);
 
+// The triangles between rings of vertices, the last ring beside the first.
+void add_closed_lattice(Mesh& mesh, uint32_t segments, uint32_t rings);
+
 // A square grid of 2 * n * n triangles in the plane z = 0 over [-1, 1]^2, on exact coordinates.
 Mesh grid(uint32_t n);
 
