@@ -11,7 +11,7 @@
  * crosses a closed surface an even number of times, through needles as well. A triangle seen edge-on has
  * edge values that add up to 0, and is never crossed.
  *
- * Signs are exact: edge values of 2^-100 or more have theirs from mesh/intersect.h, and below that a
+ * Signs are exact: edge values above 2^-100 have theirs from mesh/intersect.h, and below that a
  * lane is decided on the corners before scaling, in integers (docs/numerics.md, Lemma 11).
  *
  * t is that of mesh/intersect.h, the same bits. Weights that underflow has left with the wrong sign
@@ -178,8 +178,8 @@ static lane_hits cross_sheared(sheared_rays r, ray_space_corners s,
     hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = zero;
     if (!any_lane(hits.is_hit)) return hits;
     const uint doubtful =
-        RSH_LANE_BITS(hits.is_hit & ((fabs(edge[0]) < sure) | (fabs(edge[1]) < sure) |
-                                     (fabs(edge[2]) < sure)));
+        RSH_LANE_BITS(hits.is_hit & ((fabs(edge[0]) <= sure) | (fabs(edge[1]) <= sure) |
+                                     (fabs(edge[2]) <= sure)));
     if (doubtful) hits.is_hit &= ~mask_of_bits(doubtful & ~settle_lanes(given, doubtful, edge));
     place_hits(r, &s, edge, edge[0] + edge[1] + edge[2], &hits);
     return hits;
