@@ -1,5 +1,6 @@
 #include "oracle/accepts.hpp"
 
+#include "oracle/crossings/judge_crossings.hpp"
 #include "oracle/judge.hpp"
 #include "support/compare.hpp"
 
@@ -34,6 +35,44 @@ namespace oracle {
                << answers[i].primitive << ", t " << answers[i].t;
     }
     return ::testing::AssertionSuccess();
+}
+
+namespace {
+
+template <class Judge>
+::testing::AssertionResult no_fault(const std::vector<rsh_ray>& rays, const Judge& judge) {
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const Verdict verdict = judge(i);
+        if (verdict.fault != Fault::kNone)
+            return ::testing::AssertionFailure()
+                   << "ray " << i << " " << rays[i] << " " << verdict.why;
+    }
+    return ::testing::AssertionSuccess();
+}
+
+}  // namespace
+
+::testing::AssertionResult all_hits_are_correct(const std::vector<Crossings>& expected,
+                                                const std::vector<rsh_ray>& rays,
+                                                const std::vector<uint64_t>& offsets,
+                                                const std::vector<rsh_hit>& hits) {
+    if (offsets.size() != rays.size() + 1 || offsets.back() != hits.size())
+        return ::testing::AssertionFailure()
+               << offsets.size() << " offsets and " << hits.size() << " hits of " << rays.size()
+               << " rays, the last offset " << offsets.back();
+    return no_fault(rays, [&](size_t i) {
+        if (offsets[i] > offsets[i + 1] || offsets[i + 1] > hits.size())
+            return Verdict{Fault::kSpurious, "has offsets that do not ascend"};
+        return judge_all(expected[i], hits.data() + offsets[i], offsets[i + 1] - offsets[i]);
+    });
+}
+
+::testing::AssertionResult counts_are_correct(const std::vector<Crossings>& expected,
+                                              const std::vector<rsh_ray>& rays,
+                                              const std::vector<uint32_t>& counts) {
+    if (counts.size() != rays.size())
+        return ::testing::AssertionFailure() << counts.size() << " counts of " << rays.size();
+    return no_fault(rays, [&](size_t i) { return judge_count(expected[i], counts[i]); });
 }
 
 }  // namespace oracle

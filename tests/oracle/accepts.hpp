@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/closest.hpp"
+#include "oracle/crossings/crossings.hpp"
 
 namespace oracle {
 
@@ -18,5 +19,15 @@ namespace oracle {
                                                 const std::vector<rsh_ray>& rays,
                                                 const std::vector<uint32_t>& masks,
                                                 uint32_t bit);
+
+// Those of ray i are hits[offsets[i]] up to hits[offsets[i + 1]].
+::testing::AssertionResult all_hits_are_correct(const std::vector<Crossings>& expected,
+                                                const std::vector<rsh_ray>& rays,
+                                                const std::vector<uint64_t>& offsets,
+                                                const std::vector<rsh_hit>& hits);
+
+::testing::AssertionResult counts_are_correct(const std::vector<Crossings>& expected,
+                                              const std::vector<rsh_ray>& rays,
+                                              const std::vector<uint32_t>& counts);
 
 }  // namespace oracle

@@ -27,16 +27,18 @@ std::string between(double low, double high) {
     return "must be " + std::to_string(low) + " to " + std::to_string(high);
 }
 
-Verdict judge_one(const Crossing& c, const rsh_hit& hit) {
-    const std::string of = "triangle " + std::to_string(c.triangle) + ": ";
+// Empty: nothing is wrong.
+std::string what_is_wrong(const Crossing& c, const rsh_hit& hit) {
     if (!(hit.t >= c.t_low && hit.t <= c.t_high))
-        return {Fault::kSpurious,
-                of + "t is " + std::to_string(hit.t) + ", " + between(c.t_low, c.t_high)};
+        return "t is " + std::to_string(hit.t) + ", " + between(c.t_low, c.t_high);
     if (!(std::fabs(hit.u - c.u) <= c.uv_error && std::fabs(hit.v - c.v) <= c.uv_error))
-        return {Fault::kSpurious, of + "u, v are " + std::to_string(hit.u) + ", " +
-                                      std::to_string(hit.v) + ", must be " +
-                                      std::to_string(c.u) + ", " + std::to_string(c.v)};
-    return {};
+        return "u, v are " + std::to_string(hit.u) + ", " + std::to_string(hit.v) +
+               ", must be " + std::to_string(c.u) + ", " + std::to_string(c.v);
+    return "";
+}
+
+Verdict fault_at(uint32_t triangle, Fault fault, const std::string& why) {
+    return {fault, "triangle " + std::to_string(triangle) + ": " + why};
 }
 
 }  // namespace
@@ -59,19 +61,20 @@ Verdict judge_all(const Crossings& expected, const rsh_hit* hits, size_t count) 
     std::vector<bool> is_found(expected.size());
     for (size_t i = 0; i < count; ++i) {
         const auto at = find(expected, hits[i].primitive);
-        const std::string name = "triangle " + std::to_string(hits[i].primitive);
-        if (at == expected.end()) return {Fault::kSpurious, name + " cannot be crossed"};
-        const Verdict verdict = judge_one(*at, hits[i]);
-        if (verdict.fault != Fault::kNone) return verdict;
+        const uint32_t triangle = hits[i].primitive;
+        if (at == expected.end())
+            return fault_at(triangle, Fault::kSpurious, "cannot be crossed");
+        const std::string why = what_is_wrong(*at, hits[i]);
+        if (!why.empty()) return fault_at(triangle, Fault::kSpurious, why);
         const size_t place = size_t(at - expected.begin());
-        if (is_found[place]) return {Fault::kSpurious, name + " is there twice"};
+        if (is_found[place]) return fault_at(triangle, Fault::kSpurious, "is there twice");
         is_found[place] = true;
         if (i > 0 && !is_before(hits[i - 1], hits[i]))
-            return {Fault::kWrongTriangle, name + " is out of order"};
+            return fault_at(triangle, Fault::kWrongTriangle, "is out of order");
     }
     for (size_t k = 0; k < expected.size(); ++k)
         if (expected[k].is_certain && !is_found[k])
-            return {Fault::kMissed, "misses triangle " + std::to_string(expected[k].triangle)};
+            return fault_at(expected[k].triangle, Fault::kMissed, "is missed");
     return {};
 }
 
