@@ -30,7 +30,7 @@
  *              structs of rsh_types.h have no struct_size and never change size; their
  *              `reserved` words must be 0. Host data that descriptors point at (a scene, a wait
  *              list) is read before the call returns.
- *              Planned, so that nothing has to move: at the end of rsh_traverse_desc masks; of
+ *              Planned, so that nothing has to move: at the end of
  *              rsh_scene offset and stride of texture coordinates; of rsh_frame_desc and
  *              rsh_rasterize_desc a window of the picture. In reserved words of rsh_geometry 16-bit
  *              indices; of rsh_camera, rsh_material, rsh_light and rsh_texture what stands beside them.
@@ -513,6 +513,14 @@ enum {
     RSH_QUERY_ALL = 3      /* these triangles, as a list of hits per ray                      */
 };
 
+/* Which sides of triangles are not hit. The front is the side that sees the corners counter-clockwise, in
+ * the order of the index: the one that (v1 - v0) x (v2 - v0) points to. */
+enum {
+    RSH_CULL_NONE = 0,
+    RSH_CULL_BACK = 1, /* only fronts are hit */
+    RSH_CULL_FRONT = 2 /* only backs are hit  */
+};
+
 /* Called on the calling thread before each batch is enqueued; nonzero cancels: the call returns
  * RSH_CANCELLED and outputs are undefined. */
 typedef int (*rsh_progress)(cl_uint batch, cl_uint batch_count, void* user);
@@ -556,6 +564,11 @@ typedef struct rsh_traverse_desc {
     cl_mem hit_offsets;    /* all: out: (width * height + 1) x cl_ulong: where the hits of each ray
                               begin, and at the end how many there are, whether they fit or not */
     cl_ulong hit_capacity; /* all: at most 2^31; 0: only hit_offsets are wanted               */
+    cl_mem ray_masks;      /* in: width * height x cl_uint: a ray hits a mesh only if its mask and the
+                              rsh_mesh_range's have a bit in common; the mask of a geometry without
+                              ranges has all bits. NULL: each ray hits every mesh              */
+    cl_uint cull;          /* RSH_CULL_...; with it, or with ray_masks, the kernels that intersect are
+                              programs of their own                                           */
 } rsh_traverse_desc;
 
 #define RSH_MIN_BUDGET 65536
@@ -583,6 +596,10 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          list_count: the answers of a list of that many rays; other hits, masks and counts are
  *          neither read nor written; with all, other rays have no hits. Statistics count the tests of
  *          these rays.
+ *          ray_masks, cull: hits of meshes and sides that are hidden from the ray are none: what lies
+ *          behind is found. Front and back are told by the signs that decide about the hit, so that on
+ *          the way through a closed surface they take turns: with count, fronts less backs is the
+ *          winding number of the ray's origin, negative inside.
  *          count, all: every triangle that the ray crosses from tmin to tmax, coincident ones too. A
  *          ray through an edge or a corner crosses what it would cross if it were moved aside by one
  *          and the same vector that is smaller than any number (simulation of simplicity,
@@ -606,6 +623,8 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.
+ *          ray_masks, cull: a look at each hit; 4 bytes per ray, and of the ranges as many as a search
+ *          takes.
  *          tiles: one launch; memory beyond bounds, nodes and hits: none.
  *          count: as closest, but to the end of each ray. all: beside that 24 bytes of scratch and
  *          some 50 of traffic per hit, 6 launches and 12 bytes per ray. Sorting n hits of a ray takes
@@ -662,6 +681,8 @@ typedef struct rsh_trace_desc {
     void* progress_user;
     cl_mem skip;               /* likewise                                                   */
     cl_mem list_count;         /* as in rsh_build_desc                                       */
+    cl_mem ray_masks;          /* as in rsh_traverse_desc                                    */
+    cl_uint cull;              /* likewise                                                   */
 } rsh_trace_desc;
 
 RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* desc,
@@ -701,6 +722,8 @@ typedef struct rsh_audit_desc {
     cl_mem hit_offsets;    /* all: in: likewise, with `hits`                                  */
     cl_ulong hit_capacity; /* all: as in the traversal; where the hits did not fit, their number alone
                               is looked at                                                    */
+    cl_mem ray_masks;      /* in: as in the traversal                                         */
+    cl_uint cull;          /* likewise                                                        */
 } rsh_audit_desc;
 
 /* Traces rays again by brute force and counts those whose answers differ in any bit, by kind. Of all

@@ -81,7 +81,7 @@ RSH_ASSERT_SIZE(rsh_hit, 16);
 typedef struct rsh_mesh_range {
     rsh_uint first_triangle;
     rsh_uint id;       /* any number of the caller's                        */
-    rsh_uint mask;     /* all bits set; for which rays see the mesh         */
+    rsh_uint mask;     /* which rays hit it: ray_masks of rsh_traverse_desc */
     rsh_uint reserved; /* 0 */
 } rsh_mesh_range;
 RSH_ASSERT_SIZE(rsh_mesh_range, 16);

@@ -133,6 +133,15 @@ static flat_triangle triangle_of_lane(const ray_space_corners* s, uint lane)
     return at;
 }
 
+#if RSH_FILTER
+/* Gives the area of edge values the sign of the crossing; their weights stay the same bits. */
+static void turn_edges(const flat_triangle* at, float* edge)
+{
+    if ((sign_of_edge(at, 2, 1) < 0) == (edge[0] + edge[1] + edge[2] < 0.0f)) return;
+    for (uint i = 0; i < 3; ++i) edge[i] = -edge[i];
+}
+#endif
+
 /* Decides one lane on its corners before scaling, and gives it edge values that place the hit. */
 static bool settle_lane(const flat_triangle* at, float* edge)
 {
@@ -144,6 +153,9 @@ static bool settle_lane(const flat_triangle* at, float* edge)
         area += edge[i];
     }
     if (!(fabs(area) >= 0x1p-102f)) weights_on_side(at, edge);
+#if RSH_FILTER
+    turn_edges(at, edge);
+#endif
     return true;
 }
 

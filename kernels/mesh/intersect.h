@@ -42,6 +42,7 @@
 #define RSH_MESH_INTERSECT_H
 
 #include "mesh/corner_order.h"
+#include "mesh/filter.h"
 
 /* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
  * cyclically. */
@@ -56,6 +57,9 @@ typedef struct sheared_rays {
 typedef struct lane_hits {
     intv is_hit;         /* mask */
     floatv t, weight[3]; /* of the corners in their order, see mesh/corner_order.h */
+#if RSH_FILTER
+    intv is_negative; /* mask: the area */
+#endif
 } lane_hits;
 
 /* The closest hits of some rays so far, a lane each. */
@@ -169,6 +173,9 @@ static void place_hits(sheared_rays r, const ray_space_corners* s, const floatv*
         ((depth >= zero) & (r.inverse_z > zero)) | ((depth <= zero) & (r.inverse_z < zero));
     hits->t = depth * r.inverse_z;
     hits->is_hit &= is_ahead & (hits->t >= r.tmin) & (hits->t <= r.tmax);
+#if RSH_FILTER
+    hits->is_negative = area < zero;
+#endif
 }
 
 /* Which of the rays' lines pass through their triangles, a mask; edge, area: see place_hits. */

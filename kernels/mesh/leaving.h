@@ -40,6 +40,9 @@ typedef struct triangles_left {
     __global const uint* indices;
     __global const rsh_ray* rays;
     __global const uint* skip; /* a triangle per ray; 0: no ray has left one */
+#if RSH_FILTER
+    hit_filter filter; /* what rays do not see, be they from a triangle or not */
+#endif
 } triangles_left;
 
 /* The side of a plane through the origin that the ray moves to: 1 or -1; 0: it stays in it, as

@@ -18,4 +18,8 @@ typedef struct mesh_view {
 } mesh_view;
 RSH_ASSERT_SIZE(mesh_view, 48);
 
+/* Sides of triangles that are not hit: RSH_CULL_... of rsh.h. */
+#define RSH_CULLED_BACK 1u
+#define RSH_CULLED_FRONT 2u
+
 #endif

@@ -54,6 +54,24 @@ static void drop_left(const triangles_left* left, sheared_rays r, const uint* in
     hits->is_hit &= ~mask_of_bits(none);
 }
 
+#if RSH_FILTER
+/* Leaves out what mesh/filter.h says is not seen. */
+static void drop_unseen(const hit_filter* filter, sheared_rays r, const uint* index,
+                        uint triangle, uint places, lane_hits* hits)
+{
+    const uint negative = RSH_LANE_BITS(hits->is_negative),
+               backward = RSH_LANE_BITS(r.inverse_z < (floatv)(0.0f));
+    uint hit = RSH_LANE_BITS(hits->is_hit), none = 0;
+    for (; hit; hit &= hit - 1) {
+        const uint k = 31 - clz(hit & -hit);
+        if (is_unseen(filter, index[k], triangle,
+                      is_seen_clockwise(negative >> k & 1, backward >> k & 1, places)))
+            none |= 1u << k;
+    }
+    hits->is_hit &= ~mask_of_bits(none);
+}
+#endif
+
 #if RSH_ALL_HITS
 
 /* The hits of a vector of rays, as item_hits has them. */
@@ -132,6 +150,9 @@ static void offer(const triangles_left* left, sheared_rays r, const uint* index,
     broadcast_triangle(points, corner);
     lane_hits hits = RSH_FIND_HITS(r, corner);
     if (!any_lane(hits.is_hit)) return;
+#if RSH_FILTER
+    drop_unseen(&left->filter, r, index, triangle, places, &hits);
+#endif
     if (left->skip) drop_left(left, r, index, triangle, points, &hits);
     keep_hits(found, &hits, index, triangle, places, list);
 }

@@ -8,6 +8,7 @@
  *   normals              out  three floats per hit, 0 of a miss; NULL: nobody wants them
  *   geometry_ids         out  one per hit, RSH_NO_HIT of a miss; NULL: likewise
  */
+#define RSH_MESH_RANGES
 #include "lanes/stride.h"
 #include "mesh/mesh_ranges.h"
 #include "mesh/plane.h"

@@ -19,7 +19,10 @@ typedef struct ray_packet {
     float pad;                 /* of the origins, as in rays/box_node.h */
     uint axis;                 /* kz of all rays; 3: they differ */
     bool is_fit; /* for rays_meeting and single_ray_of: no direction too small to divide by */
-    const triangles_left* left;     /* 0: the rays have left none */
+    const triangles_left* left; /* 0: the rays have left none */
+#if RSH_FILTER
+    const hit_filter* filter;
+#endif
     uintv skip[RSH_VECTORS];        /* if there is `left`: the triangles that they left */
     floatv doubtful_t[RSH_VECTORS]; /* no hit behind it is doubtful, as in mesh/leaving.h */
     const ray_tile* tile;           /* whose block b it is */
@@ -70,6 +73,9 @@ static void load_packet(ray_packet* packet, const ray_tile* tile, uint b,
     packet->tile = tile;
     packet->b = b;
     packet->left = left->skip ? left : 0;
+#if RSH_FILTER
+    packet->filter = &left->filter;
+#endif
     if (packet->left) load_skip(packet, *tile, b, left->skip);
     ray_block given;
     load_block(*tile, b, left->rays, &given);

@@ -5,6 +5,26 @@
 
 #include "traverse/packet16.h"
 
+#if RSH_FILTER
+/* Hits with a triangle that the rays see, see mesh/filter.h. */
+static intv without_unseen(const ray_packet* packet, uint v, const leaf_triangle* triangle,
+                           const lane_hits* hits, intv is_hit)
+{
+    const uint negative = RSH_LANE_BITS(hits->is_negative),
+               backward = RSH_LANE_BITS(packet->ray[v].inverse_z < (floatv)(0.0f));
+    uint unseen = 0;
+    for (uint hit = RSH_LANE_BITS(is_hit); hit; hit &= hit - 1) {
+        const uint k = 31 - clz(hit & -hit);
+        const uint ray = ray_of(*packet->tile, packet->b, RSH_WIDTH * v + k);
+        if (is_unseen(
+                packet->filter, ray, triangle->index,
+                is_seen_clockwise(negative >> k & 1, backward >> k & 1, triangle->places)))
+            unseen |= 1u << k;
+    }
+    return is_hit & ~mask_of_bits(unseen);
+}
+#endif
+
 #if RSH_ALL_HITS
 
 /* Lists the hits of vector v, those of the lanes whose bits are set. */
@@ -34,6 +54,9 @@ static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, 
         if (triangle->scale != 1.0f) scale_across(&scaled, (floatv)(triangle->scale));
         lane_hits hits = cross_sheared(r, scaled, &given);
         if (!any_lane(hits.is_hit)) continue;
+#if RSH_FILTER
+        hits.is_hit = without_unseen(packet, v, triangle, &hits, hits.is_hit);
+#endif
         if (packet->left)
             hits.is_hit =
                 without_left(packet, v, triangle->at, triangle->index, hits.is_hit, hits.t);
@@ -61,6 +84,10 @@ static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, 
         intv is_better = hits.is_hit & ((hits.t < r.tmax) |
                                         ((uintv)(triangle->index) < packet->primitive[v]));
         if (!any_lane(is_better)) continue;
+#if RSH_FILTER
+        is_better = without_unseen(packet, v, triangle, &hits, is_better);
+        if (!any_lane(is_better)) continue;
+#endif
         if (packet->left) {
             is_better =
                 without_left(packet, v, triangle->at, triangle->index, is_better, hits.t);

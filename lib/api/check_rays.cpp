@@ -16,6 +16,10 @@ void check_ray_count(cl_uint ray_count) {
     require(ray_count <= kMaxRays, "ray_count", ray_count, "at most ", kMaxRays);
 }
 
+void check_cull(cl_uint cull) {
+    require(cull <= RSH_CULL_FRONT, "cull", cull, "an RSH_CULL_... value");
+}
+
 template <class Desc>
 void check_query(const Desc& desc) {
     require(desc.query <= RSH_QUERY_ALL, "query", desc.query, "RSH_QUERY_...");
@@ -57,6 +61,7 @@ void check_shape(const rsh_traverse_desc& desc) {
     find_strategy(desc.strategy);
     check_list_count(desc);
     check_query(desc);
+    check_cull(desc.cull);
     check_budget(desc.budget);
     const Engine& engine = find_engine(desc.engine);
     require(!desc.tests_per_ray || engine.counts_tests_per_ray(), "tests_per_ray: engine",
@@ -81,6 +86,7 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
     buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
+    buffers.optional_in("ray_masks", desc.ray_masks, rays * 4);
     buffers.optional_out("tests_per_ray", desc.tests_per_ray, rays * 4);
     if (engine.node_shape() != RSH_SHAPE_DEFAULT) {
         const NodeShape& shape = find_shape(desc.shape);
@@ -95,6 +101,7 @@ void check_shape(const rsh_audit_desc& desc) {
     check_shape(desc.geometry);
     check_ray_count(desc.ray_count);
     check_query(desc);
+    check_cull(desc.cull);
 }
 
 void check_buffers(const Context& context, const rsh_audit_desc& desc) {
@@ -104,6 +111,7 @@ void check_buffers(const Context& context, const rsh_audit_desc& desc) {
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
     buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
+    buffers.optional_in("ray_masks", desc.ray_masks, rays * 4);
     if (desc.query == RSH_QUERY_CLOSEST) buffers.in("hits", desc.hits, rays * sizeof(rsh_hit));
     if (desc.query == RSH_QUERY_ANY) buffers.in("occlusion", desc.occlusion, rays * 4);
     if (desc.query == RSH_QUERY_COUNT) buffers.in("hit_counts", desc.hit_counts, rays * 4);

@@ -83,6 +83,7 @@ void check_buffers(const Context& context, const rsh_trace_desc& desc) {
     check_ray_buffers(buffers, desc, rays);
     buffers.optional_in("list_count", desc.list_count, 4);
     buffers.optional_in("skip", desc.skip, rays * 4);
+    buffers.optional_in("ray_masks", desc.ray_masks, rays * 4);
     if (find_engine(desc.engine).node_shape() != RSH_SHAPE_DEFAULT)
         buffers.optional_in("bounds", desc.bounds, bounds_for(pass.shape).bytes(desc.geometry));
     check_answers(buffers, pass);

@@ -54,6 +54,8 @@ rsh_traverse_desc trace_traverse(const rsh_trace_desc& desc) {
     pass.progress_user = desc.progress_user;
     pass.skip = desc.skip;
     pass.list_count = desc.list_count;
+    pass.ray_masks = desc.ray_masks;
+    pass.cull = desc.cull;
     return pass;
 }
 

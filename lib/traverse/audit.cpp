@@ -19,13 +19,15 @@ void audit(Recorder& recorder, const rsh_audit_desc& desc) {
     const cl_uint bit = desc.query == RSH_QUERY_ANY ? cl_uint{1} << desc.occlusion_bit : 0;
     if (sample == 0) return;
     const cl_mem none = nullptr;
-    recorder.launch(
-        RSH_STAGE_OTHER, {"traverse/audit", "rsh_audit", all_hits_option(desc.query)},
-        recorder.stream_range(), mesh_view_of(geometry), geometry.vertices, geometry.indices,
-        desc.rays, desc.skip, desc.ray_count, desc.list_count, desc.hits, desc.occlusion, bit,
-        desc.query == RSH_QUERY_COUNT ? desc.hit_counts : none,
-        desc.query == RSH_QUERY_ALL ? desc.hit_offsets : none, desc.hit_capacity, sample,
-        desc.seed, desc.report);
+    launch_hits(recorder, desc, RSH_STAGE_OTHER,
+                {"traverse/audit", "rsh_audit",
+                 std::string(all_hits_option(desc.query)) + filter_option(desc)},
+                recorder.stream_range(), mesh_view_of(geometry), geometry.vertices,
+                geometry.indices, desc.rays, desc.skip, desc.ray_count, desc.list_count,
+                desc.hits, desc.occlusion, bit,
+                desc.query == RSH_QUERY_COUNT ? desc.hit_counts : none,
+                desc.query == RSH_QUERY_ALL ? desc.hit_offsets : none, desc.hit_capacity,
+                sample, desc.seed, desc.report);
 }
 
 }  // namespace rsh

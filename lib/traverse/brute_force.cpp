@@ -27,8 +27,8 @@ public:
         const size_t rays_per_item =
             size_t{RSH_VECTORS_PER_ITEM} * recorder.context().vector_width;
         const Answers answers = answers_of(desc);
-        recorder.launch(
-            RSH_STAGE_INTERSECT,
+        launch_hits(
+            recorder, desc, RSH_STAGE_INTERSECT,
             hit_kernel(desc, "traverse/brute_force", "traverse/brute_force", "rsh_brute_force"),
             recorder.serial_range((rays + rays_per_item - 1) / rays_per_item),
             mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays, desc.skip,

@@ -5,6 +5,9 @@
 
 namespace rsh {
 
+static_assert(RSH_CULL_BACK == RSH_CULLED_BACK && RSH_CULL_FRONT == RSH_CULLED_FRONT,
+              "kernels and callers name the same sides");
+
 Answers answers_of(const rsh_traverse_desc& desc) {
     switch (desc.query) {
         case RSH_QUERY_ANY:
@@ -20,7 +23,9 @@ Answers answers_of(const rsh_traverse_desc& desc) {
 
 KernelName hit_kernel(const rsh_traverse_desc& desc, const char* program, const char* file,
                       const char* kernel) {
-    return {wants_all_hits(desc.query) ? file : program, kernel, all_hits_option(desc.query)};
+    const bool is_own = wants_all_hits(desc.query) || wants_filter(desc);
+    return {is_own ? file : program, kernel,
+            std::string(all_hits_option(desc.query)) + filter_option(desc)};
 }
 
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program) {
@@ -39,12 +44,12 @@ void intersect(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem pairs,
                cl_mem pair_count) {
     const rsh_geometry& geometry = desc.geometry;
     const Answers answers = answers_of(desc);
-    recorder.launch(RSH_STAGE_INTERSECT,
-                    hit_kernel(desc, "programs/paper_faithful",
-                               "traverse/paper_faithful/intersect", "rsh_intersect"),
-                    recorder.stream_range(), mesh_view_of(geometry), geometry.vertices,
-                    geometry.indices, desc.rays, desc.skip, pairs, pair_count, answers.hits,
-                    answers.occlusion, answers.occlusion_bit);
+    launch_hits(recorder, desc, RSH_STAGE_INTERSECT,
+                hit_kernel(desc, "programs/paper_faithful", "traverse/paper_faithful/intersect",
+                           "rsh_intersect"),
+                recorder.stream_range(), mesh_view_of(geometry), geometry.vertices,
+                geometry.indices, desc.rays, desc.skip, pairs, pair_count, answers.hits,
+                answers.occlusion, answers.occlusion_bit);
 }
 
 void resolve(Recorder& recorder, const rsh_traverse_desc& desc) {

@@ -20,10 +20,31 @@ inline const char* all_hits_option(cl_uint query) {
     return wants_all_hits(query) ? " -D RSH_ALL_HITS=1" : "";
 }
 
-// A kernel that intersects triangles: of `program`, or for all hits of a program of its own, made of
-// the file that it is in.
+// A kernel that intersects triangles: of `program`, or for all hits and with a filter of a program of its
+// own, made of the file that it is in.
 KernelName hit_kernel(const rsh_traverse_desc& desc, const char* program, const char* file,
                       const char* kernel);
+
+// Whether some hits are not seen: kernels/mesh/filter.h.
+template <class Desc>
+bool wants_filter(const Desc& desc) {
+    return desc.ray_masks || desc.cull != RSH_CULL_NONE;
+}
+template <class Desc>
+const char* filter_option(const Desc& desc) {
+    return wants_filter(desc) ? " -D RSH_FILTER=1" : "";
+}
+
+// Launches a kernel that intersects triangles, with the filter behind its other arguments.
+template <class Desc, class... Arguments>
+void launch_hits(Recorder& recorder, const Desc& desc, cl_uint stage, const KernelName& name,
+                 const Range& range, const Arguments&... arguments) {
+    if (wants_filter(desc))
+        recorder.launch(stage, name, range, arguments..., desc.ray_masks, desc.geometry.ranges,
+                        desc.geometry.range_count, desc.cull);
+    else
+        recorder.launch(stage, name, range, arguments...);
+}
 
 // No ray has hit anything yet. The program is one that has rsh_clear_hits.
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program);

@@ -58,6 +58,20 @@ TEST_F(Skip, OfTraversalsIsCheckedForEveryEngine) {
     }
 }
 
+// Those that say what rays see are buffers of the same kind.
+TEST_F(Skip, AndWhatRaysSeeIsChecked) {
+    refuses_wrong_buffers(valid_.traverse(), &rsh_traverse_desc::ray_masks, "ray_masks",
+                          &rsh_traverse_desc::hits, "hits");
+    refuses_wrong_buffers(valid_.audit(), &rsh_audit_desc::ray_masks, "ray_masks",
+                          &rsh_audit_desc::report, "report");
+    auto traverse = valid_.traverse();
+    traverse.cull = 3;
+    refuses(traverse, RSH_INVALID_VALUE, {"cull", "3", "RSH_CULL_"});
+    auto audit = valid_.audit();
+    audit.cull = ~0u;
+    refuses(audit, RSH_INVALID_VALUE, {"cull", "4294967295", "RSH_CULL_"});
+}
+
 TEST_F(Skip, OfShadowsIsChecked) {
     auto desc = valid_.traverse();
     desc.query = RSH_QUERY_ANY;

@@ -81,6 +81,7 @@ TEST_F(MisuseOfTrace, OfChoicesIsRefused) {
     refuses([](Desc& d) { d.engine = 77; }, {"engine", "77"});
     refuses([](Desc& d) { d.strategy = 77; }, {"strategy", "77"});
     refuses([](Desc& d) { d.query = 77; }, {"query", "77"});
+    refuses([](Desc& d) { d.cull = 3; }, {"cull", "3", "RSH_CULL_"});
     refuses([](Desc& d) { d.converging = 2; }, {"converging", "2", "0 or 1"});
     refuses([](Desc& d) { d.budget = RSH_MIN_BUDGET - 1; }, {"budget", "65535", "65536"});
     refuses([](Desc& d) { d.width = 16385; }, {"width", "16385", "16384"});
@@ -112,6 +113,12 @@ TEST_F(MisuseOfTrace, OfListCountsAndSkipIsRefused) {
             {"hits", "overlap", "list_count"});
     refuses(list, [this](Desc& d) { d.skip = short_.get(); }, RSH_BUFFER_TOO_SMALL,
             {"skip", "4", "256"});
+    refuses(list, [this](Desc& d) { d.ray_masks = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+            {"ray_masks", "4", "256"});
+    refuses(list, [this](Desc& d) { d.ray_masks = foreign_(); }, RSH_INVALID_VALUE,
+            {"ray_masks", "context"});
+    refuses(list, [](Desc& d) { d.ray_masks = d.hits; }, RSH_INVALID_VALUE,
+            {"hits", "overlap", "ray_masks"});
 }
 
 TEST_F(MisuseOfTrace, OfAnswersIsRefused) {

@@ -12,8 +12,9 @@ namespace test {
 struct Rays {
     std::vector<rsh_ray> rays;
     uint32_t width = 0;
-    uint32_t height = 1;              // 1: a list
-    std::vector<uint32_t> skip = {};  // a triangle per ray; empty: none for all
+    uint32_t height = 1;               // 1: a list
+    std::vector<uint32_t> skip = {};   // a triangle per ray; empty: none for all
+    std::vector<uint32_t> masks = {};  // of the meshes that rays hit; empty: all
 };
 
 rsh_ray make_ray(Float3 origin, Float3 direction, float tmin = 0.0f,

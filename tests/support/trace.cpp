@@ -22,11 +22,14 @@ public:
     Traversal(const DeviceMesh& mesh, const Rays& rays, const TraceOptions& options)
         : rays_(rays.rays),
           skip_(rays.skip),
+          masks_(rays.masks),
           context_(options.context ? options.context : device().rsh) {
         desc.struct_size = sizeof desc;
         desc.geometry = mesh.geometry();
         desc.rays = rays_.get();
         desc.skip = rays.skip.empty() ? nullptr : skip_.get();
+        desc.ray_masks = rays.masks.empty() ? nullptr : masks_.get();
+        desc.cull = options.cull;
         desc.tests_per_ray = options.tests_per_ray;
         desc.width = rays.width;
         desc.height = rays.height;
@@ -119,6 +122,7 @@ private:
 
     Buffer<rsh_ray> rays_;
     Buffer<uint32_t> skip_;
+    Buffer<uint32_t> masks_;
     Buffer<uint32_t> count_{1};
     rsh_context context_;
     bool own_scratch_ = false;
@@ -135,6 +139,12 @@ DeviceMesh::DeviceMesh(const Mesh& mesh) : vertices_(mesh.vertices) {
     if (mesh.indices.empty()) return;
     indices_.emplace(mesh.indices);
     geometry_.indices = indices_->get();
+}
+
+void DeviceMesh::divide(const std::vector<rsh_mesh_range>& ranges) {
+    ranges_.emplace(ranges);
+    geometry_.ranges = ranges_->get();
+    geometry_.range_count = cl_uint(ranges.size());
 }
 
 BuiltNodes build_nodes(const Rays& rays, cl_uint bound, bool converging) {

@@ -21,10 +21,13 @@ class DeviceMesh {
 public:
     explicit DeviceMesh(const Mesh& mesh);
     const rsh_geometry& geometry() const { return geometry_; }
+    // Its triangles are several meshes from now on.
+    void divide(const std::vector<rsh_mesh_range>& ranges);
 
 private:
     Buffer<Float3> vertices_;
     std::optional<Buffer<uint32_t>> indices_;
+    std::optional<Buffer<rsh_mesh_range>> ranges_;
     rsh_geometry geometry_ = {};
 };
 
@@ -87,6 +90,7 @@ struct TraceOptions {
     std::function<void()> before_batch = {};      // called on this thread
     rsh_context context = nullptr;                // null: the device's
     cl_mem tests_per_ray = nullptr;
+    cl_uint cull = RSH_CULL_NONE;
     std::optional<uint32_t> list_count = {};   // tells the device, not the host, of so many
     std::optional<uint32_t> nodes_count = {};  // the same for the nodes; none: the same
 };

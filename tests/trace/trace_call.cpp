@@ -39,7 +39,7 @@ void expect_guards(const ::testing::AssertionResult& intact, const char* what) {
 class Call {
 public:
     Call(const DeviceMesh& mesh, const Rays& rays, const TraceWay& way)
-        : way_(way), rays_(rays.rays), skip_(rays.skip) {
+        : way_(way), rays_(rays.rays), skip_(rays.skip), masks_(rays.masks) {
         desc.struct_size = sizeof desc;
         desc.geometry = mesh.geometry();
         desc.width = rays.width;
@@ -49,6 +49,8 @@ public:
         desc.budget = way.options.budget;
         desc.converging = way.options.converging;
         if (!rays.skip.empty()) desc.skip = skip_.get();
+        if (!rays.masks.empty()) desc.ray_masks = masks_.get();
+        desc.cull = way.options.cull;
         if (way.options.list_count) {
             count_.write({*way.options.list_count});
             desc.list_count = count_.get();
@@ -117,6 +119,7 @@ private:
     const TraceWay& way_;
     const Buffer<rsh_ray> rays_;
     const Buffer<uint32_t> skip_;
+    const Buffer<uint32_t> masks_;
     const Buffer<uint32_t> count_{1};
     std::vector<std::unique_ptr<Buffer<float>>> floats_;
     std::unique_ptr<Buffer<rsh_mesh_range>> ranges_;

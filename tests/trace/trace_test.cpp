@@ -90,6 +90,19 @@ TEST_P(Trace, FindsTheCountsAndListsOfBruteForce) {
     }
 }
 
+TEST_P(Trace, FindsTheHitsOfTheSidesAndMeshesThatRaysSee) {
+    DeviceMesh mesh(host_);
+    mesh.divide({{0, 1, 1, 0}, {20, 2, 2, 0}});
+    Rays rays = rays_[0];
+    for (size_t i = 0; i < rays.rays.size(); ++i) rays.masks.push_back(uint32_t(i) % 4);
+    for (TraceOptions options : engines()) {
+        SCOPED_TRACE(name_of(options));
+        options.cull = RSH_CULL_BACK;
+        EXPECT_TRUE(test::same_bits(trace_hits(mesh, rays, way_of(options)).hits,
+                                    closest_hits(mesh, rays, options), "hits"));
+    }
+}
+
 TEST_P(Trace, FindsTheHitsOfRaysThatConverge) {
     Rays rays = test::converging_rays(random_, 31, 23, {0.1f, 0.2f, 0.3f});
     if (GetParam() == Handed::interleaved) rays = test::without_intervals(rays);

@@ -104,6 +104,20 @@ static bool is_pair_left(const triangles_left* left, stream_pair pair, float t, 
            is_separated(left, pair.node, corners);
 }
 
+#if RSH_FILTER
+/* Which rays see the corners of their triangle clockwise, a bit each; places: of these corners. */
+static uint lanes_clockwise(const lane_hits* hits, floatv inverse_z, uintv places)
+{
+    const uint negative = RSH_LANE_BITS(hits->is_negative),
+               backward = RSH_LANE_BITS(inverse_z < (floatv)(0.0f));
+    uint clockwise = 0;
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        if (is_seen_clockwise(negative >> k & 1, backward >> k & 1, ((const uint*)&places)[k]))
+            clockwise |= 1u << k;
+    return clockwise;
+}
+#endif
+
 /* Intersects up to RSH_WIDTH pairs. */
 static void intersect_pairs(const hit_target* target, const stream_pair* pairs, uint count)
 {
@@ -120,6 +134,12 @@ static void intersect_pairs(const hit_target* target, const stream_pair* pairs, 
     store_lanes(weight_at(&hits, places >> 2), v);
     store_lanes(fabs(sheared.inverse_z), inverse_z);
     const triangles_left* left = &target->left;
+#if RSH_FILTER
+    const uint clockwise = lanes_clockwise(&hits, sheared.inverse_z, places);
+    for (uint i = 0; i < count; ++i)
+        is_hit[i] = is_hit[i] && !is_unseen(&left->filter, pairs[i].node, pairs[i].triangle,
+                                            clockwise >> i & 1);
+#endif
     for (uint i = 0; i < count; ++i)
         if (is_hit[i] && !(left->skip && is_pair_left(left, pairs[i], t[i], inverse_z[i])))
             offer_hit(target, pairs[i].node, (rsh_hit){t[i], u[i], v[i], pairs[i].triangle});

@@ -15,9 +15,12 @@ typedef struct single_ray {
     float u, v;
     uint primitive;
     const triangles_left* left; /* 0: the ray has left none */
-    uint skip, index;           /* if there is `left`: the triangle left; the ray, in any case
+#if RSH_FILTER
+    const hit_filter* filter;
+#endif
+    uint skip, index; /* if there is `left`: the triangle left; the ray, in any case
                                    with RSH_ALL_HITS */
-    float doubtful_t;           /* the same as in ray_packet */
+    float doubtful_t; /* the same as in ray_packet */
 #if RSH_ALL_HITS
     uint count;
     hit_list* list;
@@ -58,6 +61,10 @@ static single_ray single_ray_of(const ray_packet* packet, uint k)
     ray.v = lane_of(packet->v, k);
     ray.primitive = ((const uint*)packet->primitive)[k];
     ray.left = packet->left;
+#if RSH_FILTER
+    ray.filter = packet->filter;
+    ray.index = ray_of(*packet->tile, packet->b, k);
+#endif
     if (ray.left || RSH_ALL_HITS) ray.index = ray_of(*packet->tile, packet->b, k);
     if (ray.left) {
         ray.skip = ((const uint*)packet->skip)[k];

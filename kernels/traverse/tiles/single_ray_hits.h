@@ -15,6 +15,25 @@ static sheared_rays sheared_ray_of(const single_ray* ray)
     return r;
 }
 
+#if RSH_FILTER
+/* Of the lanes whose bits are set, those whose triangles in vector v of a leaf the ray sees. */
+static uint seen_lanes(const single_ray* ray, __global const float* leaf, uint v,
+                       const lane_hits* hits, uint met)
+{
+    __global const uint* triangles = (__global const uint*)leaf + RSH_TRIANGLES_AT;
+    const uint negative = RSH_LANE_BITS(hits->is_negative);
+    uint seen = 0;
+    for (; met; met &= met - 1) {
+        const uint k = 31 - clz(met & -met), word = triangles[RSH_WIDTH * v + k];
+        if (!is_unseen(ray->filter, ray->index, RSH_TRIANGLE_INDEX(word),
+                       is_seen_clockwise(negative >> k & 1, ray->inverse_z < 0.0f,
+                                         RSH_TRIANGLE_PLACES(word))))
+            seen |= 1u << k;
+    }
+    return seen;
+}
+#endif
+
 #if RSH_ALL_HITS
 
 /* Counts and lists the hits with vector v of a leaf's triangles, those of the lanes whose bits are
@@ -53,7 +72,11 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
         ray_space_corners scaled = given;
         if (is_scaled) scale_across(&scaled, scales_of(leaf, v));
         const lane_hits hits = cross_sheared(r, scaled, &given);
+#if RSH_FILTER
+        const uint met = seen_lanes(ray, leaf, v, &hits, RSH_LANE_BITS(hits.is_hit));
+#else
         const uint met = RSH_LANE_BITS(hits.is_hit);
+#endif
         if (met) changed |= list_leaf_hits(ray, leaf, v, &hits, met);
     }
     return changed;
@@ -73,6 +96,10 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
         const lane_hits hits = intersect_unbranched(sheared_ray_of(ray), sheared);
         uint met = RSH_LANE_BITS(hits.is_hit);
         if (!met) continue;
+#if RSH_FILTER
+        met = seen_lanes(ray, leaf, v, &hits, met);
+        if (!met) continue;
+#endif
         float t[RSH_WIDTH], weight[RSH_WIDTH];
         store_lanes(hits.t, t);
         uint closest = RSH_WIDTH, places = 0;

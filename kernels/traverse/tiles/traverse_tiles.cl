@@ -232,7 +232,7 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
                                  __global const float* nodes, __global rsh_hit* hits,
                                  __global uint* occlusion, uint occlusion_bit, uint is_counting,
                                  __global uint* counts, __global uint* tests_per_ray,
-                                 volatile __global uint* wrong)
+                                 volatile __global uint* wrong RSH_FILTER_PARAMETERS)
 {
     const ray_levels levels = counted_levels(shape, list_count);
     const uint me = my_element(tile_count(levels));
@@ -243,7 +243,7 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
     scene.leaves = (float)((layout.triangles + 15) / 16);
     traversal_state state;
     state.scene = &scene;
-    const triangles_left left = {mesh, vertices, indices, rays, skip};
+    const triangles_left left = {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER};
     state.rays = &left;
     state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     state.is_any = !RSH_ALL_HITS && occlusion_bit != 0;

@@ -61,23 +61,23 @@ void finish_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const Rang
                    const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     const Answers answers = answers_of(desc);
-    recorder.launch(RSH_STAGE_INTERSECT, hit_kernel(desc, "rsh_intersect_ranges_finish"),
-                    recorder.serial_range(node_count(level.shape, 2)), level.shape,
-                    desc.list_count, level.step, mesh_view_of(geometry), geometry.vertices,
-                    geometry.indices, desc.rays, desc.skip, desc.bounds, desc.nodes,
-                    parents_of(level, streams), streams.ranges, streams.sums, answers.hits,
-                    answers.occlusion, answers.occlusion_bit, streams.tally);
+    launch_hits(
+        recorder, desc, RSH_STAGE_INTERSECT, hit_kernel(desc, "rsh_intersect_ranges_finish"),
+        recorder.serial_range(node_count(level.shape, 2)), level.shape, desc.list_count,
+        level.step, mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+        desc.skip, desc.bounds, desc.nodes, parents_of(level, streams), streams.ranges,
+        streams.sums, answers.hits, answers.occlusion, answers.occlusion_bit, streams.tally);
 }
 
 void intersect_ranges(Recorder& recorder, const rsh_traverse_desc& desc,
                       const ray_levels& shape, const RangeStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     const Answers answers = answers_of(desc);
-    recorder.launch(RSH_STAGE_INTERSECT, hit_kernel(desc, "rsh_intersect_ranges"),
-                    recorder.serial_range(node_count(shape, 2)), shape, desc.list_count,
-                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.skip, desc.bounds, desc.nodes, streams.triangles[1], streams.ranges,
-                    answers.hits, answers.occlusion, answers.occlusion_bit);
+    launch_hits(recorder, desc, RSH_STAGE_INTERSECT, hit_kernel(desc, "rsh_intersect_ranges"),
+                recorder.serial_range(node_count(shape, 2)), shape, desc.list_count,
+                mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
+                desc.skip, desc.bounds, desc.nodes, streams.triangles[1], streams.ranges,
+                answers.hits, answers.occlusion, answers.occlusion_bit);
 }
 
 void join_boxes(Recorder& recorder, const rsh_traverse_desc& desc, const ray_levels& shape,

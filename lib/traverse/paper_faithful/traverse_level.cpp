@@ -18,13 +18,13 @@ void walk_level(Recorder& recorder, const rsh_traverse_desc& desc, const ray_lev
                 cl_uint level, const PairStreams& streams) {
     const rsh_geometry& geometry = desc.geometry;
     const Answers answers = answers_of(desc);
-    recorder.launch(RSH_STAGE_TEST,
-                    hit_kernel(desc, "programs/paper_faithful",
-                               "traverse/paper_faithful/traverse_walk", "rsh_traverse_walk"),
-                    recorder.stream_range(), levels, level, streams.limit,
-                    mesh_view_of(geometry), geometry.vertices, geometry.indices, desc.rays,
-                    desc.skip, desc.bounds, desc.nodes, streams.pairs, streams.counts,
-                    answers.hits, answers.occlusion, answers.occlusion_bit);
+    launch_hits(recorder, desc, RSH_STAGE_TEST,
+                hit_kernel(desc, "programs/paper_faithful",
+                           "traverse/paper_faithful/traverse_walk", "rsh_traverse_walk"),
+                recorder.stream_range(), levels, level, streams.limit, mesh_view_of(geometry),
+                geometry.vertices, geometry.indices, desc.rays, desc.skip, desc.bounds,
+                desc.nodes, streams.pairs, streams.counts, answers.hits, answers.occlusion,
+                answers.occlusion_bit);
 }
 
 }  // namespace rsh
