@@ -10,17 +10,72 @@
  */
 #define RSH_MESH_RANGES
 #include "lanes/stride.h"
+#include "mesh/algebra_lanes.h"
 #include "mesh/mesh_ranges.h"
-#include "mesh/plane.h"
 #include "rays/levels.h"
 
-/* Unit, (v1 - v0) x (v2 - v0) by direction. */
-static float3 normal_of(mesh_view mesh, __global const float* vertices,
-                        __global const uint* indices, uint triangle)
+/* A triangle per lane. */
+typedef struct triangle_lanes {
+    float3v v0, v1, v2;
+} triangle_lanes;
+
+/* Of `count` hits; lanes without a triangle are 0 or NaN. */
+static triangle_lanes load_triangles(mesh_view mesh, __global const float* vertices,
+                                     __global const uint* indices, __global const rsh_hit* hits,
+                                     uint count)
 {
-    triangle_points p;
-    if (!load_triangle(mesh, vertices, indices, triangle, &p)) return (float3)(0.0f);
-    return unit3(plane_of(p).normal.high);
+    float row[9][RSH_WIDTH];
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        const uint triangle = k < count ? hits[k].primitive : RSH_NO_HIT;
+        triangle_points p = {(float3)(0.0f), (float3)(0.0f), (float3)(0.0f)};
+        if (triangle < mesh.triangle_count)
+            load_triangle(mesh, vertices, indices, triangle, &p);
+        const float3 corner[3] = {p.v0, p.v1, p.v2};
+        for (uint i = 0; i < 3; ++i) {
+            row[3 * i][k] = corner[i].x;
+            row[3 * i + 1][k] = corner[i].y;
+            row[3 * i + 2][k] = corner[i].z;
+        }
+    }
+    return (triangle_lanes){{load_lanes(row[0]), load_lanes(row[1]), load_lanes(row[2])},
+                            {load_lanes(row[3]), load_lanes(row[4]), load_lanes(row[5])},
+                            {load_lanes(row[6]), load_lanes(row[7]), load_lanes(row[8])}};
+}
+
+static floatv distance_of(float3v a, float3v b) { return largest_v(fabs_v(minus_v(a, b))); }
+
+/* As from_shortest_edges of mesh/plane.h. */
+static triangle_lanes from_shortest_edges_v(triangle_lanes p)
+{
+    const floatv opposite0 = distance_of(p.v2, p.v1), opposite1 = distance_of(p.v0, p.v2),
+                 opposite2 = distance_of(p.v1, p.v0);
+    const intv is0 = (opposite0 >= opposite1) & (opposite0 >= opposite2);
+    const intv is1 = opposite1 >= opposite2;
+    return (triangle_lanes){select_v(select_v(p.v2, p.v1, is1), p.v0, is0),
+                            select_v(select_v(p.v0, p.v2, is1), p.v1, is0),
+                            select_v(select_v(p.v1, p.v0, is1), p.v2, is0)};
+}
+
+/* Unit, (v1 - v0) x (v2 - v0) by direction: the products in twice the precision of a float. 0 where there
+ * is none. */
+static float3v normals_of(triangle_lanes given)
+{
+    const triangle_lanes p = from_shortest_edges_v(given);
+    const twofold3v a = exact_sum3_v(p.v1, opposite_v(p.v0));
+    const twofold3v b = exact_sum3_v(p.v2, opposite_v(p.v0));
+    const floatv extent = fmax(largest_v(fabs_v(a.high)), largest_v(fabs_v(b.high)));
+    const floatv scale = scale_to_one_v(extent);
+    return unit_v(twofold_cross_v(twofold_scaled_v(scale, a), twofold_scaled_v(scale, b)).high);
+}
+
+static void store_normals(float3v normal, uint count, __global float* normals)
+{
+    float row[3][RSH_WIDTH];
+    store_lanes(normal.x, row[0]);
+    store_lanes(normal.y, row[1]);
+    store_lanes(normal.z, row[2]);
+    for (uint k = 0; k < count; ++k)
+        vstore3((float3)(row[0][k], row[1][k], row[2][k]), k, normals);
 }
 
 static uint hits_of(uint ray_count, __global const uint* list_count,
@@ -31,6 +86,11 @@ static uint hits_of(uint ray_count, __global const uint* list_count,
     return total > most ? 0 : (uint)total;
 }
 
+static uint id_of(__global const rsh_mesh_range* ranges, uint range_count, uint triangle)
+{
+    return range_count ? ranges[range_of(ranges, range_count, triangle)].id : 0;
+}
+
 __kernel void rsh_describe_hits(mesh_view mesh, __global const float* vertices,
                                 __global const uint* indices,
                                 __global const rsh_mesh_range* ranges, uint range_count,
@@ -39,16 +99,17 @@ __kernel void rsh_describe_hits(mesh_view mesh, __global const float* vertices,
                                 __global const rsh_hit* hits, __global float* normals,
                                 __global uint* geometry_ids)
 {
-    const strided_range mine = my_elements(hits_of(ray_count, list_count, hit_offsets, most));
-    for (uint i = mine.begin; i < mine.end; i += mine.step) {
-        const uint triangle = hits[i].primitive;
-        const bool is_hit = triangle < mesh.triangle_count;
-        float3 normal = (float3)(0.0f);
-        if (normals && is_hit) normal = normal_of(mesh, vertices, indices, triangle);
-        if (normals) vstore3(normal, i, normals);
-        uint id = is_hit ? 0 : RSH_NO_HIT;
-        if (geometry_ids && is_hit && range_count)
-            id = ranges[range_of(ranges, range_count, triangle)].id;
-        if (geometry_ids) geometry_ids[i] = id;
+    const strided_range mine = my_blocks(hits_of(ray_count, list_count, hit_offsets, most));
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
+        const uint count = min((uint)RSH_WIDTH, mine.end - i);
+        if (normals)
+            store_normals(normals_of(load_triangles(mesh, vertices, indices, hits + i, count)),
+                          count, normals + 3ul * i);
+        for (uint k = 0; geometry_ids && k < count; ++k) {
+            const uint triangle = hits[i + k].primitive;
+            geometry_ids[i + k] = triangle < mesh.triangle_count
+                                      ? id_of(ranges, range_count, triangle)
+                                      : RSH_NO_HIT;
+        }
     }
 }

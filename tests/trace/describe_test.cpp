@@ -29,9 +29,11 @@ uint32_t id_of(const std::vector<rsh_mesh_range>& ranges, uint32_t triangle) {
 class Describe : public ::testing::Test {
 protected:
     void expect_descriptions(const test::Mesh& mesh, const test::Rays& rays,
-                             const std::vector<rsh_mesh_range>& ranges) {
+                             const std::vector<rsh_mesh_range>& ranges,
+                             const test::TraceOptions& options = {}) {
         const test::DeviceMesh device_mesh(mesh);
         TraceWay way;
+        way.options = options;
         way.normals = true;
         way.ranges = ranges;
         const auto found = trace_hits(device_mesh, rays, way);
@@ -110,7 +112,13 @@ TEST_F(Describe, FindsTheNormalsOfNeedles) {
         rays.rays.push_back(test::make_ray(from, centre - from));
     }
     rays.width = 300;
-    expect_descriptions(needles, rays, {{0, 5, ~0u, 0}});
+    for (const cl_uint width : {0u, 1u, 4u}) {
+        SCOPED_TRACE("width " + std::to_string(width));
+        const test::OwnContext context(width);
+        test::TraceOptions options = test::brute_force();
+        options.context = context.get();
+        expect_descriptions(needles, rays, {{0, 5, ~0u, 0}}, options);
+    }
 }
 
 // A buffer can hold anything.
