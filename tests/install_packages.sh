@@ -10,6 +10,7 @@ library=(build-essential cmake ninja-build pkg-config ca-certificates
 samples=("${library[@]}" opencl-clhpp-headers libopenmesh-dev libopenimageio-dev libglm-dev libcli11-dev
     libfmt-dev libarchive-dev libtinyobjloader-dev nlohmann-json3-dev)
 tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind git python3 python3-venv
+    python3-numpy python3-pyopencl
     clang clang-format clang-tidy libclc-14)
 bench=("${samples[@]}" libboost-dev libembree-dev libtbb-dev
     python3-pyopencl python3-numpy python3-matplotlib)

@@ -6,7 +6,8 @@
 #   3. runs the tests again with the host code under the address and undefined-behaviour sanitizers,
 #   4. runs the kernel tests on Oclgrind, which finds data races and accesses outside of buffers,
 #   5. makes a kit for other devices and tries it on this one, with a quarter of its time,
-#   6. runs the suites of rsh-bench that judge hits and errors, shortened.
+#   6. runs the suites of rsh-bench that judge hits and errors, shortened,
+#   7. makes, installs and tests the Python package.
 # Without an OpenCL device it fails. Builds in build/release, build/clang and build/asan of the tree;
 # logs are in build/logs. The last line counts the single tests of step 1.
 set -euo pipefail
@@ -138,6 +139,12 @@ run_suites() {
         tee "$logs/suites.log"
 }
 
+run_python() {
+    step "Python"
+    tests/python.sh >"$logs/python.log" 2>&1 || { tail -n 60 "$logs/python.log"; return 1; }
+    grep -E '^== | passed' "$logs/python.log"
+}
+
 tests/install_packages.sh tests
 run_release
 check_house
@@ -145,6 +152,7 @@ run_sanitizers
 run_oclgrind
 run_device_kit
 run_suites
+run_python
 step "done"
 grep 'tests passed' "$logs/ctest.log"
 tail -n 1 "$logs/results.log"

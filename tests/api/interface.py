@@ -8,7 +8,9 @@ import ctypes
 import re
 import subprocess
 import sys
+from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parents[2] / "bindings/python/generate"))
 from described import Interface
 
 SOURCE = "#include <rsh/rsh_interface.h>\n"

@@ -1,13 +1,20 @@
 """described.py - rsh_describe_interface of a loaded library as Python's ctypes: classes for its structs,
 and its functions with their types. What a binding begins with."""
+
 import ctypes
 
 KINDS = ("void", "unsigned", "signed", "float", "text", "pointer", "struct")
 
 
 class Field(ctypes.Structure):
-    _fields_ = [("_name", ctypes.c_char_p), ("_type", ctypes.c_char_p), ("offset", ctypes.c_size_t),
-                ("size", ctypes.c_size_t), ("count", ctypes.c_uint32), ("kind", ctypes.c_uint32)]
+    _fields_ = [
+        ("_name", ctypes.c_char_p),
+        ("_type", ctypes.c_char_p),
+        ("offset", ctypes.c_size_t),
+        ("size", ctypes.c_size_t),
+        ("count", ctypes.c_uint32),
+        ("kind", ctypes.c_uint32),
+    ]
     name = property(lambda self: self._name.decode())
     type = property(lambda self: self._type.decode())
     kind_name = property(lambda self: KINDS[self.kind])
@@ -18,8 +25,13 @@ def listed(pointer, count):
 
 
 class Struct(ctypes.Structure):
-    _fields_ = [("_name", ctypes.c_char_p), ("size", ctypes.c_size_t), ("align", ctypes.c_size_t),
-                ("_fields", ctypes.POINTER(Field)), ("_count", ctypes.c_size_t)]
+    _fields_ = [
+        ("_name", ctypes.c_char_p),
+        ("size", ctypes.c_size_t),
+        ("align", ctypes.c_size_t),
+        ("_fields", ctypes.POINTER(Field)),
+        ("_count", ctypes.c_size_t),
+    ]
     fields = property(lambda self: listed(self._fields, self._count))
 
 
@@ -28,15 +40,23 @@ class Constant(ctypes.Structure):
 
 
 class Function(ctypes.Structure):
-    _fields_ = [("_name", ctypes.c_char_p), ("result", Field),
-                ("_parameters", ctypes.POINTER(Field)), ("_count", ctypes.c_size_t)]
+    _fields_ = [
+        ("_name", ctypes.c_char_p),
+        ("result", Field),
+        ("_parameters", ctypes.POINTER(Field)),
+        ("_count", ctypes.c_size_t),
+    ]
     parameters = property(lambda self: listed(self._parameters, self._count))
 
 
 class Tables(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_size_t)]
-    for _name, _type in (("structs", Struct), ("constants", Constant), ("functions", Function),
-                         ("callbacks", Function)):
+    for _name, _type in (
+        ("structs", Struct),
+        ("constants", Constant),
+        ("functions", Function),
+        ("callbacks", Function),
+    ):
         _fields_ += [(_name, ctypes.POINTER(_type)), (_name[:-1] + "_count", ctypes.c_size_t)]
 
 
@@ -60,11 +80,16 @@ class Interface:
         size = field.size // max(field.count, 1)
         if field.kind_name == "struct":
             return self.classes[field.type]
-        return {("unsigned", 4): ctypes.c_uint32, ("unsigned", 8): ctypes.c_uint64,
-                ("signed", 4): ctypes.c_int32, ("signed", 8): ctypes.c_int64,
-                ("float", 4): ctypes.c_float, ("text", 1): ctypes.c_char,
-                ("pointer", 8): ctypes.c_char_p if field.type == "const char*" else ctypes.c_void_p,
-                ("void", 0): None}[field.kind_name, size]
+        return {
+            ("unsigned", 4): ctypes.c_uint32,
+            ("unsigned", 8): ctypes.c_uint64,
+            ("signed", 4): ctypes.c_int32,
+            ("signed", 8): ctypes.c_int64,
+            ("float", 4): ctypes.c_float,
+            ("text", 1): ctypes.c_char,
+            ("pointer", 8): ctypes.c_char_p if field.type == "const char*" else ctypes.c_void_p,
+            ("void", 0): None,
+        }[field.kind_name, size]
 
     def layout(self, struct):
         """Padding is spelled out where alignment is more than that of elements, as of rsh_float4."""
@@ -89,8 +114,10 @@ class Interface:
             for field in struct.fields:
                 place = getattr(made, field.name)
                 if (place.offset, place.size) != (field.offset, field.size):
-                    yield (f"{name}.{field.name}: is described with offset and size {field.offset}, "
-                           f"{field.size}, has {place.offset}, {place.size}")
+                    yield (
+                        f"{name}.{field.name}: is described with offset and size {field.offset}, "
+                        f"{field.size}, has {place.offset}, {place.size}"
+                    )
 
     def call(self, name, *arguments):
         function, described = getattr(self.library, name), self.functions[name]

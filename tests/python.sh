@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# python.sh [FOLDER] - the Python package as users get it: makes an sdist, of that a wheel, and installs the
+# wheel in two new environments, with PyPI's pyopencl, which brings a loader of OpenCL, and with Debian's,
+# which takes the system's. Runs the tests in both, and ruff and mypy.
+# FOLDER gets them all; build/python.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+folder=$(realpath -m "${1:-build/python}")
+export PYTHONDONTWRITEBYTECODE=1 PIP_DISABLE_PIP_VERSION_CHECK=1
+rm -rf "$folder"
+/usr/bin/python3 -m venv "$folder/pypi"
+/usr/bin/python3 -m venv --system-site-packages "$folder/debian"
+
+"$folder/pypi/bin/pip" install -q build
+"$folder/pypi/bin/python" -m build -q --outdir "$folder/dist" bindings/python
+"$folder/pypi/bin/pip" install -q "$(echo "$folder"/dist/rsh-*.whl)[test]"
+"$folder/debian/bin/pip" install -q --no-deps "$folder"/dist/rsh-*.whl
+"$folder/debian/bin/pip" install -q pytest
+
+# No folder of the sources may be on the path: the package is the installed one.
+cd bindings/python
+for environment in pypi debian; do
+    echo "== pyopencl of $environment"
+    "$folder/$environment/bin/python" -m pytest -q -p no:cacheprovider
+done
+"$folder/pypi/bin/ruff" check --no-cache .
+"$folder/pypi/bin/ruff" format --no-cache --check .
+"$folder/pypi/bin/mypy" --cache-dir "$folder/mypy" --strict -p rsh
