@@ -107,15 +107,16 @@ static void store_slots(const binary_tree* tree, const node_slots* slots, __glob
 }
 
 /* Makes the node of a branch, or of the scene's only leaf. */
-static void make_node(const binary_tree* tree, uint number, uint node, __global float* bvh)
+RSH_CALLED static void make_node(const binary_tree* tree, uint number, uint node,
+                                 __global float* bvh)
 {
     const node_slots slots = slots_of(tree, number);
     store_slots(tree, &slots, bvh + node_at(&tree->layout, node));
 }
 
 /* Makes the nodes of a part that wait, and those that come to wait while it does. */
-static void make_waiting_nodes(const binary_tree* tree, __global tree_part* part,
-                               __global float* bvh)
+RSH_CALLED static void make_waiting_nodes(const binary_tree* tree, __global tree_part* part,
+                                          __global float* bvh)
 {
     while (part->waiting != RSH_NO_BRANCH) {
         const uint number = part->waiting;

@@ -17,6 +17,7 @@ static floatv gather_words(__global const float* base, uintv element, uint strid
     uint number[RSH_WIDTH];
     float lane[RSH_WIDTH];
     store_lanes(element, number);
+#pragma unroll 1
     for (uint k = 0; k < RSH_WIDTH; ++k) lane[k] = base[(ulong)stride * number[k]];
     return load_lanes(lane);
 }
@@ -45,7 +46,7 @@ static void load_corners_of(mesh_view mesh, __global const float* vertices,
     intv is_there = triangle < (uintv)(mesh.triangle_count);
     triangle = select((uintv)(0u), triangle, as_uintv(is_there));
     uintv vertex[3];
-#pragma unroll
+#pragma unroll 1
     for (uint i = 0; i < 3; ++i) {
         vertex[i] = mesh.is_indexed
                         ? as_uintv(gather_words(words + i, triangle, 3, mesh.triangle_count))
@@ -53,7 +54,7 @@ static void load_corners_of(mesh_view mesh, __global const float* vertices,
         is_there &= vertex[i] < (uintv)(mesh.vertex_count);
     }
     floatv sum = (floatv)(0.0f);
-#pragma unroll
+#pragma unroll 1
     for (uint i = 0; i < 9; ++i) {
         const uintv of = select((uintv)(0u), vertex[i / 3], as_uintv(is_there));
         const floatv c =
@@ -62,7 +63,7 @@ static void load_corners_of(mesh_view mesh, __global const float* vertices,
         sum += c - c; /* 0, or NaN if any is not finite */
     }
     is_there &= sum == (floatv)(0.0f);
-#pragma unroll
+#pragma unroll 1
     for (uint i = 0; i < 9; ++i) {
         floatv* c = &corners->row[i / 3][i % 3][v];
         *c = select((floatv)(INFINITY), *c, is_there);
@@ -141,9 +142,9 @@ static bool load_sound_corners(mesh_view mesh, __global const float* vertices,
 }
 #endif
 
-static void load_corners(mesh_view mesh, __global const float* vertices,
-                         __global const uint* indices, __global const uint* order, uint first,
-                         corner_rows* corners)
+RSH_CALLED static void load_corners(mesh_view mesh, __global const float* vertices,
+                                    __global const uint* indices, __global const uint* order,
+                                    uint first, corner_rows* corners)
 {
 #if RSH_WIDTH > 1
     uintv triangle[RSH_VECTORS];
@@ -157,9 +158,9 @@ static void load_corners(mesh_view mesh, __global const float* vertices,
 
 /* The same for up to 16 triangles by their indices; where an index is out of range, at
  * infinity. */
-static void load_numbered_corners(mesh_view mesh, __global const float* vertices,
-                                  __global const uint* indices, const uintv* index,
-                                  corner_rows* corners)
+RSH_CALLED static void load_numbered_corners(mesh_view mesh, __global const float* vertices,
+                                             __global const uint* indices, const uintv* index,
+                                             corner_rows* corners)
 {
 #if RSH_WIDTH > 1
     intv is_there[RSH_VECTORS];

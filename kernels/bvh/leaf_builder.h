@@ -17,9 +17,10 @@ typedef struct leaf_builder {
 
 /* Fills the row. leaves: of the BVH; the cache lines of those that will be stored next are
  * asked for, as leaves are stored in bursts. */
-static void load_triangles(leaf_builder* part, mesh_view mesh, __global const float* vertices,
-                           __global const uint* indices, __global const uint* order,
-                           __global const float* leaves)
+RSH_CALLED static void load_triangles(leaf_builder* part, mesh_view mesh,
+                                      __global const float* vertices,
+                                      __global const uint* indices, __global const uint* order,
+                                      __global const float* leaves)
 {
     for (; part->row.count + 16 <= RSH_WINDOW && part->next < part->end; part->next += 16) {
         const uint at = part->row.count;
@@ -49,7 +50,7 @@ static void load_triangles(leaf_builder* part, mesh_view mesh, __global const fl
 
 /* The room of a part (lib/bvh/layout.hpp) is for leaves of 14 triangles on the average, and
  * three more. Where the best cuts would take more leaves, the row is cut into full ones. */
-static void cut_triangles(leaf_builder* part, float leaf_cost)
+RSH_CALLED static void cut_triangles(leaf_builder* part, float leaf_cost)
 {
     const bool is_last = part->next >= part->end;
     cut_row(&part->row, leaf_cost, is_last);
@@ -78,7 +79,7 @@ static bool store_leaf(const leaf_builder* part, uint first, uint length, __glob
     return store_triangles(&corners, index, leaf);
 }
 
-static void clear_leaves(__global float* leaf, uint count)
+RSH_CALLED static void clear_leaves(__global float* leaf, uint count)
 {
     for (; count > 0; --count, leaf += RSH_LEAF_WORDS) {
         for (uint i = 0; i < 9; ++i) vstore16((float16)(INFINITY), i, leaf);
@@ -87,8 +88,8 @@ static void clear_leaves(__global float* leaf, uint count)
 }
 
 /* Stores the ranges of the row as leaves, and the padded boxes around them in child_boxes. */
-static void store_leaves(leaf_builder* part, __global float* bvh,
-                         __global child_box* child_boxes)
+RSH_CALLED static void store_leaves(leaf_builder* part, __global float* bvh,
+                                    __global child_box* child_boxes)
 {
     uint first = 0;
     for (uint r = 0; r < part->row.range_count; ++r) {

@@ -9,8 +9,8 @@
 
 /* The surface of the scene's box by the number of leaves, about; never 0, so that a leaf always
  * costs something. */
-static float leaf_surface_of(__global const sample_bounds* samples, uint sample_count,
-                             uint triangles)
+RSH_CALLED static float leaf_surface_of(__global const sample_bounds* samples,
+                                        uint sample_count, uint triangles)
 {
     const sample_bounds scene = merged_bounds(samples, sample_count);
     const float surface = surface_of(scene.low, scene.high);

@@ -15,7 +15,8 @@
 #include "bvh/ploc.h"
 
 /* Grows the tree of a part, up to RSH_PART_ROOTS roots. */
-static void grow_part(const binary_tree* tree, float node_cost, uint part, uint leaves)
+RSH_CALLED static void grow_part(const binary_tree* tree, float node_cost, uint part,
+                                 uint leaves)
 {
     const uint first = part * tree->layout.part_leaves;
     active_nodes active = no_active_nodes(tree, part);

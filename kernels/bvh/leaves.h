@@ -8,7 +8,7 @@
 #include "mesh/intersect.h"
 
 /* Boxes of 16 triangles, not padded; empty for those that are never hit. */
-static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
+RSH_CALLED static void boxes_of_corners(const corner_rows* corners, boxes16* boxes)
 {
 #pragma unroll
     for (uint axis = 0; axis < 3; ++axis)

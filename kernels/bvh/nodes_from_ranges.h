@@ -87,9 +87,9 @@ static void begin_levels(level_builder* level, float node_cost, uint first_node)
 }
 
 /* One level of nodes above the leaves of a part. */
-static node_range nodes_of_part(const bvh_layout* layout, float node_cost, uint part,
-                                uint leaves, __global float* bvh,
-                                __global child_box* child_boxes)
+RSH_CALLED static node_range nodes_of_part(const bvh_layout* layout, float node_cost, uint part,
+                                           uint leaves, __global float* bvh,
+                                           __global child_box* child_boxes)
 {
     const uint first = part * layout->part_leaves;
     node_range made = {part * layout->part_nodes, 0};
@@ -102,8 +102,9 @@ static node_range nodes_of_part(const bvh_layout* layout, float node_cost, uint 
 }
 
 /* All levels above the nodes of the parts. */
-static node_range nodes_above_parts(const bvh_layout* layout, float node_cost,
-                                    __global float* bvh, __global child_box* child_boxes)
+RSH_CALLED static node_range nodes_above_parts(const bvh_layout* layout, float node_cost,
+                                               __global float* bvh,
+                                               __global child_box* child_boxes)
 {
     node_range made = {first_upper_node(layout), 0};
     level_builder level;

@@ -16,7 +16,7 @@
 #include "order/sort.h"
 #include "tuning.h"
 
-static void sample_triangles(const boxes16* boxes, sample_bounds* bounds)
+RSH_CALLED static void sample_triangles(const boxes16* boxes, sample_bounds* bounds)
 {
     float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     add_boxes(boxes, low, high);
@@ -102,7 +102,7 @@ static key_grid grid_of(__global const sample_bounds* samples, uint cell_bits)
     return grid;
 }
 
-static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* keys)
+RSH_CALLED static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* keys)
 {
     const uint large_cells = 1u << (3 * grid.cell_bits - 6);
     for (uint first = 0; first < RSH_VECTORS; first += RSH_ABREAST) {

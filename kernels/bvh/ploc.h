@@ -134,8 +134,8 @@ static uint merge_pairs(const binary_tree* tree, float node_cost, active_nodes* 
 }
 
 /* Joins until no more than `most` boxes are left. first: the number of the first branch. */
-static void grow_tree(const binary_tree* tree, float node_cost, active_nodes* active,
-                      uint first, uint most)
+RSH_CALLED static void grow_tree(const binary_tree* tree, float node_cost, active_nodes* active,
+                                 uint first, uint most)
 {
     for (uint round = 0; active->count > most; ++round) {
         if (round < RSH_NEAREST_ROUNDS)

@@ -12,8 +12,9 @@
 #include "tuning.h"
 
 /* Returns whether mesh/intersect.h scales any of the triangles. */
-static bool refit_leaf(mesh_view mesh, __global const float* vertices,
-                       __global const uint* indices, __global float* leaf, float* side)
+RSH_CALLED static bool refit_leaf(mesh_view mesh, __global const float* vertices,
+                                  __global const uint* indices, __global float* leaf,
+                                  float* side)
 {
     __global const uint* words = (__global const uint*)leaf + RSH_TRIANGLES_AT;
     uintv index[RSH_VECTORS];
@@ -37,8 +38,8 @@ static bool refit_leaf(mesh_view mesh, __global const float* vertices,
 
 /* Boxes of a node's children, and the box around them all, which goes to nodes[number]. leaves,
  * nodes: the boxes of all leaves and nodes; those of the children are fitted already. */
-static void refit_node(const bvh_layout* layout, uint number, __global float* bvh,
-                       __global const child_box* leaves, __global child_box* nodes)
+RSH_CALLED static void refit_node(const bvh_layout* layout, uint number, __global float* bvh,
+                                  __global const child_box* leaves, __global child_box* nodes)
 {
     __global float* node = bvh + node_at(layout, number);
     __global uint* child = (__global uint*)node + RSH_CHILDREN_AT;

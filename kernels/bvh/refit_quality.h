@@ -35,9 +35,10 @@ static void add_boxes(const boxes16* boxes, float* low, float* high)
 /* Sample `me` of RSH_QUALITY_SAMPLES: 16 ranges of 16 triangles, one after the other or 16,
  * 256, ... ranges apart. 0 where there are fewer ranges than that. leaves: the number of
  * ranges. */
-static refit_quality quality_at(uint me, mesh_view mesh, __global const float* vertices,
-                                __global const uint* indices, __global const uint* order,
-                                uint leaves)
+RSH_CALLED static refit_quality quality_at(uint me, mesh_view mesh,
+                                           __global const float* vertices,
+                                           __global const uint* indices,
+                                           __global const uint* order, uint leaves)
 {
     const uint step = 1u << (4 * (me / RSH_QUALITY_SAMPLES_PER_STEP)), span = 16 * step;
     refit_quality quality = {0.0f, 0.0f, 0.0f};
@@ -66,7 +67,8 @@ static refit_quality quality_at(uint me, mesh_view mesh, __global const float* v
 }
 
 /* Whether the order has not degraded; false as well where a surface is NaN. */
-static bool order_serves(__global const refit_quality* now, __global const refit_quality* then)
+RSH_CALLED static bool order_serves(__global const refit_quality* now,
+                                    __global const refit_quality* then)
 {
     for (uint i = 0; i < RSH_QUALITY_SAMPLES; i += RSH_QUALITY_SAMPLES_PER_STEP) {
         refit_quality a = now[i], b = then[i];

@@ -89,8 +89,8 @@ static void begin_lanes(const screen_setup* screen, const uint* x, const uint* y
     lanes->best = no_hits();
 }
 
-static void begin_square(const screen_setup* screen, pixel_square* square,
-                         __global rsh_ray* rays)
+RSH_CALLED static void begin_square(const screen_setup* screen, pixel_square* square,
+                                    __global rsh_ray* rays)
 {
     uint x[RSH_WIDTH], y[RSH_WIDTH];
     for (uint b = 0; b < RSH_ROWS * RSH_COLUMNS; ++b) {
@@ -116,8 +116,8 @@ static bool meets_square(const pixel_square* square, ushort4 box)
            pixels.y < square->y + RSH_SIDE && pixels.w >= square->y;
 }
 
-static void store_square(const screen_setup* screen, const pixel_square* square,
-                         __global rsh_hit* hits)
+RSH_CALLED static void store_square(const screen_setup* screen, const pixel_square* square,
+                                    __global rsh_hit* hits)
 {
     uint x[RSH_WIDTH], y[RSH_WIDTH], primitive[RSH_WIDTH];
     float t[RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];

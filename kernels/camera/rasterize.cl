@@ -16,17 +16,25 @@
 
 #define RSH_UNLISTED 0x80000000u /* flag in `ends`: the list did not fit */
 
+/* Of triangle i; first > last: none. */
+RSH_CALLED static ushort4 box_of(const screen_setup* screen, mesh_view mesh,
+                                 __global const float* vertices, __global const uint* indices,
+                                 uint i)
+{
+    triangle_points triangle;
+    const bool is_valid = load_triangle(mesh, vertices, indices, i, &triangle) &&
+                          is_finite3(triangle.v0) && is_finite3(triangle.v1) &&
+                          is_finite3(triangle.v2);
+    return is_valid ? project(screen, triangle) : (ushort4)(1, 1, 0, 0);
+}
+
 __kernel void rsh_rasterize_project(screen_setup screen, mesh_view mesh,
                                     __global const float* vertices,
                                     __global const uint* indices, __global ushort4* boxes)
 {
     const uint i = get_global_id(0);
     if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
-    triangle_points triangle;
-    const bool is_valid = load_triangle(mesh, vertices, indices, i, &triangle) &&
-                          is_finite3(triangle.v0) && is_finite3(triangle.v1) &&
-                          is_finite3(triangle.v2);
-    boxes[i] = is_valid ? project(&screen, triangle) : (ushort4)(1, 1, 0, 0);
+    boxes[i] = box_of(&screen, mesh, vertices, indices, i);
 }
 
 static uint range_end(const screen_setup* screen, uint range)
@@ -36,8 +44,9 @@ static uint range_end(const screen_setup* screen, uint range)
 }
 
 /* Counts in `ends`, per tile, the triangles from `begin` to `end`. */
-static void count_triangles(const screen_setup* screen, __global const ushort4* boxes,
-                            uint begin, uint end, __global uint* ends)
+RSH_CALLED static void count_triangles(const screen_setup* screen,
+                                       __global const ushort4* boxes, uint begin, uint end,
+                                       __global uint* ends)
 {
     for (uint i = 0; i < screen->tile_count; ++i) ends[i] = 0;
     for (uint i = begin; i < end; ++i) {
@@ -62,8 +71,9 @@ static void place_lists(const screen_setup* screen, __global uint* ends)
 }
 
 /* Each entry moves its list's beginning on, until it is the end. */
-static void fill_lists(const screen_setup* screen, __global const ushort4* boxes, uint begin,
-                       uint end, __global uint* ends, __global uint* list)
+RSH_CALLED static void fill_lists(const screen_setup* screen, __global const ushort4* boxes,
+                                  uint begin, uint end, __global uint* ends,
+                                  __global uint* list)
 {
     for (uint i = begin; i < end; ++i) {
         const uint4 box = convert_uint4(boxes[i]);
@@ -114,6 +124,24 @@ static void offer(const raster_input* input, pixel_square* square, uint i)
         }
 }
 
+/* Offers the square what its tile's lists hold. */
+RSH_CALLED static void offer_lists(const screen_setup* screen, const raster_input* input,
+                                   uint tile, __global const uint* ends,
+                                   __global const uint* lists, pixel_square* square)
+{
+    for (uint range = 0; range < screen->range_count; ++range) {
+        __global const uint* list_end = ends + (ulong)range * screen->tile_count + tile;
+        __global const uint* list = lists + (ulong)range * screen->capacity;
+        if (*list_end & RSH_UNLISTED) {
+            const uint end = range_end(screen, range);
+            for (uint i = range * screen->range_length; i < end; ++i) offer(input, square, i);
+        } else {
+            const uint begin = tile == 0 ? 0 : list_end[-1] & ~RSH_UNLISTED;
+            for (uint i = begin; i < *list_end; ++i) offer(input, square, list[i]);
+        }
+    }
+}
+
 __kernel void rsh_rasterize_tiles(screen_setup screen, mesh_view mesh,
                                   __global const float* vertices, __global const uint* indices,
                                   __global const ushort4* boxes, __global const uint* ends,
@@ -126,16 +154,6 @@ __kernel void rsh_rasterize_tiles(screen_setup screen, mesh_view mesh,
     square.x = tile % screen.tile_columns * RSH_TILE + item % (RSH_TILE / RSH_SIDE) * RSH_SIDE;
     square.y = tile / screen.tile_columns * RSH_TILE + item / (RSH_TILE / RSH_SIDE) * RSH_SIDE;
     begin_square(&screen, &square, rays);
-    for (uint range = 0; range < screen.range_count; ++range) {
-        __global const uint* list_end = ends + (ulong)range * screen.tile_count + tile;
-        __global const uint* list = lists + (ulong)range * screen.capacity;
-        if (*list_end & RSH_UNLISTED) {
-            const uint end = range_end(&screen, range);
-            for (uint i = range * screen.range_length; i < end; ++i) offer(&input, &square, i);
-        } else {
-            const uint begin = tile == 0 ? 0 : list_end[-1] & ~RSH_UNLISTED;
-            for (uint i = begin; i < *list_end; ++i) offer(&input, &square, list[i]);
-        }
-    }
+    offer_lists(&screen, &input, tile, ends, lists, &square);
     store_square(&screen, &square, hits);
 }

@@ -17,6 +17,16 @@
 #define RSH_WIDTH 1
 #endif
 
+/* Before a function: it is called, not copied into its callers. PoCL compiles the body of a kernel three
+ * times, once for each way to launch it, but what the body calls only once. On GPUs calls are dear, and
+ * bodies are compiled once: there it means nothing. Called functions ask for no numbers of work-items:
+ * drivers know these in kernels and what is copied into them. */
+#if RSH_WIDTH > 1
+#define RSH_CALLED __attribute__((noinline))
+#else
+#define RSH_CALLED
+#endif
+
 #if RSH_WIDTH == 1
 typedef float floatv;
 typedef int intv;

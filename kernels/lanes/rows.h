@@ -49,7 +49,8 @@ static void transpose_rows(floatv* row)
 #endif
 
 /* Four floats of each lane, from base[stride * index] on: row[0 .. 3]. */
-static void load_rows4(__global const float* base, uint stride, const uint* index, floatv* row)
+RSH_CALLED static void load_rows4(__global const float* base, uint stride, const uint* index,
+                                  floatv* row)
 {
 #define RSH_AT(k) vload4(0, base + (ulong)stride * index[k])
 #if RSH_WIDTH == 1
@@ -66,7 +67,8 @@ static void load_rows4(__global const float* base, uint stride, const uint* inde
 }
 
 /* Three floats of each lane: row[0 .. 2]. */
-static void load_rows3(__global const float* base, uint stride, const uint* index, floatv* row)
+RSH_CALLED static void load_rows3(__global const float* base, uint stride, const uint* index,
+                                  floatv* row)
 {
 #define RSH_AT(k) ((float4)(vload3(0, base + (ulong)stride * index[k]), 0.0f))
 #if RSH_WIDTH == 1
@@ -82,8 +84,8 @@ static void load_rows3(__global const float* base, uint stride, const uint* inde
 }
 
 /* Of the lanes in `bits`, row[0 .. 3] to base[stride * index]. */
-static void store_rows4(const floatv* row, uint bits, __global float* base, uint stride,
-                        const uint* index)
+RSH_CALLED static void store_rows4(const floatv* row, uint bits, __global float* base,
+                                   uint stride, const uint* index)
 {
 #define RSH_STORE(point, k) \
     if (bits >> (k)&1) vstore4(point, 0, base + (ulong)stride * index[k]);

@@ -90,7 +90,8 @@ static bool may_separate(triangle_points plane, rsh_ray ray, triangle_points tri
 
 /* Whether the plane of a triangle, moved to the ray's origin, separates ray and triangle.
  * in_plane: of a triangle whose corners may also be in the plane. */
-static bool separates(triangle_points of, rsh_ray ray, triangle_points triangle, bool in_plane)
+RSH_CALLED static bool separates(triangle_points of, rsh_ray ray, triangle_points triangle,
+                                 bool in_plane)
 {
     if (!may_separate(of, ray, triangle)) return false;
     const triangle_plane plane = plane_of(of);
@@ -103,7 +104,7 @@ static bool separates(triangle_points of, rsh_ray ray, triangle_points triangle,
 }
 
 /* Whether the hit of a ray is none. */
-static bool is_separated(const triangles_left* left, uint ray, triangle_points hit)
+RSH_CALLED static bool is_separated(const triangles_left* left, uint ray, triangle_points hit)
 {
     const uint skip = left->skip[ray];
     triangle_points from;

@@ -58,8 +58,9 @@ __kernel void rsh_sort_scatter(uint bin_count, __global const sort_plan* sorting
 /* Values of a digit of six bits. */
 #define RSH_DIGITS 64
 
-static void sort_by_digit(__global uint* order, uint count, __global const uint* keys,
-                          uint shift, uint digits, __global uint* sorted)
+RSH_CALLED static void sort_by_digit(__global uint* order, uint count,
+                                     __global const uint* keys, uint shift, uint digits,
+                                     __global uint* sorted)
 {
     uint at[RSH_DIGITS], sum = 0;
     for (uint d = 0; d < digits; ++d) at[d] = 0;

@@ -63,7 +63,7 @@ static sample_bounds empty_bounds(void)
 }
 
 /* The samples of `count` work-items; each work-item adds them up for itself. */
-static sample_bounds merged_bounds(__global const sample_bounds* samples, uint count)
+RSH_CALLED static sample_bounds merged_bounds(__global const sample_bounds* samples, uint count)
 {
     sample_bounds whole = samples[0];
     for (uint i = 1; i < count; ++i) {

@@ -101,6 +101,20 @@ static void clear_rows(uint b, node_rows* rows)
     rows->row[12][b] = -1.0f;
 }
 
+RSH_CALLED static void bound_tile(ray_tile tile, __global const rsh_ray* rays,
+                                  uint is_converging, node_rows* rows)
+{
+    for (uint b = 0; b < 16; ++b) {
+        ray_block block;
+        load_block(tile, b, rays, &block);
+        rows->row[13][b] = as_float(is_converging);
+        if (active_lanes(&block))
+            bound_block(&block, is_converging, b, rows);
+        else
+            clear_rows(b, rows);
+    }
+}
+
 __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
                               __global const rsh_ray* rays, uint is_converging,
                               __global const sort_plan* sorting, uint order_at,
@@ -116,15 +130,7 @@ __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
     const ray_tile tile =
         tile_at(levels, is_sorted ? (__global const uint*)nodes + order_at : 0, me);
     node_rows rows;
-    for (uint b = 0; b < 16; ++b) {
-        ray_block block;
-        load_block(tile, b, rays, &block);
-        rows.row[13][b] = as_float(is_converging);
-        if (active_lanes(&block))
-            bound_block(&block, is_converging, b, &rows);
-        else
-            clear_rows(b, &rows);
-    }
+    bound_tile(tile, rays, is_converging, &rows);
     __global float* out = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     for (uint f = 0; f < RSH_NODE_ROWS; ++f)
         for_each_vector(v)

@@ -27,7 +27,7 @@ static ray_tile list_of(uint count, uint sixteen)
 }
 
 /* Bounds of three rows of the active rays, from row `first` on: origins or directions. */
-static sample_bounds bounds_of_rays(const ray_block* block, uint first)
+RSH_CALLED static sample_bounds bounds_of_rays(const ray_block* block, uint first)
 {
     sample_bounds bounds = empty_bounds();
     for (uint axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,7 @@ __kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint width,
     samples[get_global_id(0)] = bounds;
 }
 
-static bool is_incoherent_block(const ray_block* block, float whole, float share)
+RSH_CALLED static bool is_incoherent_block(const ray_block* block, float whole, float share)
 {
     const sample_bounds origins = bounds_of_rays(block, 0);
     if (whole > 0.0f) return longest_side(&origins) > share * whole;
@@ -100,7 +100,8 @@ __kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint width,
     sampled[get_global_id(0)] = sum;
 }
 
-static void keys_of_rays(const ray_block* block, const sample_bounds* whole, uint* keys)
+RSH_CALLED static void keys_of_rays(const ray_block* block, const sample_bounds* whole,
+                                    uint* keys)
 {
     const float scale = cells_per_length(longest_side(whole), RSH_RAY_BITS);
     for (uint first = 0; first < RSH_VECTORS; first += RSH_ABREAST) {

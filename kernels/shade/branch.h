@@ -77,9 +77,10 @@ static uint worth(float3v weight, float min_weight)
 
 /* kinds: those asked for. seen: weights of the rays that hit. Of the lanes in `bits`, those that send
  * a ray on. */
-static uint find_branches(const surface_buffers* buffers,
-                          __global const rsh_material* materials, uint kinds, float3v seen,
-                          float min_weight, const ray_lanes* block, uint bits, branch_lanes* at)
+RSH_CALLED static uint find_branches(const surface_buffers* buffers,
+                                     __global const rsh_material* materials, uint kinds,
+                                     float3v seen, float min_weight, const ray_lanes* block,
+                                     uint bits, branch_lanes* at)
 {
     at->bits[RSH_REFLECTED] = at->bits[RSH_REFRACTED] = 0;
     bits = find_surfaces(buffers, block, bits, &at->surface);
@@ -95,8 +96,8 @@ static uint find_branches(const surface_buffers* buffers,
 
 /* from: where the rays that hit meet their triangles. is_skipped: those that are sent on will not
  * hit them. */
-static sent_rays send_branches(const branch_lanes* at, const departure_lanes* from, uint kind,
-                               bool is_skipped)
+RSH_CALLED static sent_rays send_branches(const branch_lanes* at, const departure_lanes* from,
+                                          uint kind, bool is_skipped)
 {
     const surface_lanes* surface = &at->surface;
     const bool is_refracted = kind == RSH_REFRACTED;

@@ -31,7 +31,7 @@ static cells hilbert_cells(uintv place)
 
 /* The rays at RSH_WIDTH places of a wave; RSH_NO_RAY: from `end` on, or that part of a square lies
  * outside of the screen. They lie in one square or two. */
-static void rays_at_places(wave_part wave, uint first, uint end, uint* index)
+RSH_CALLED static void rays_at_places(wave_part wave, uint first, uint end, uint* index)
 {
     number_lanes(first, end, index);
     if (wave.height == 1) return;

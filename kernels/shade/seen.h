@@ -27,9 +27,9 @@ typedef struct seen_block {
     uint active, found; /* lane by lane */
 } seen_block;
 
-static void find_seen(const surface_buffers* buffers, const look_buffers* look,
-                      const uint* index, __global const rsh_ray* rays,
-                      __global const rsh_hit* hits, seen_block* block)
+RSH_CALLED static void find_seen(const surface_buffers* buffers, const look_buffers* look,
+                                 const uint* index, __global const rsh_ray* rays,
+                                 __global const rsh_hit* hits, seen_block* block)
 {
     load_rays(index, rays, hits, &block->rays);
     block->active = RSH_LANE_BITS(block->rays.is_active);
@@ -67,7 +67,7 @@ typedef struct seen_light {
     float3v colour; /* that it makes them send back */
 } seen_light;
 
-static seen_light see_light(const seen_block* block, rsh_light light, uint bits)
+RSH_CALLED static seen_light see_light(const seen_block* block, rsh_light light, uint bits)
 {
     seen_light seen;
     seen.colour = lanes_of((float3)(0.0f));
@@ -86,8 +86,8 @@ static uint open_lanes(uintv hidden, uint light)
 }
 
 /* What the active rays see but for the lights in the set `shadow_lights`. hidden: bit k, light k. */
-static float3v see_all_but(const seen_block* block, const look_buffers* look,
-                           uint shadow_lights, uintv hidden)
+RSH_CALLED static float3v see_all_but(const seen_block* block, const look_buffers* look,
+                                      uint shadow_lights, uintv hidden)
 {
     float3v seen = lanes_of((float3)(0.0f));
     if (block->found) {

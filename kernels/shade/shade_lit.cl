@@ -14,6 +14,63 @@
 #include "shade/seen.h"
 #include "shade/shadow_ray.h"
 
+/* One light, and what comes of it. */
+typedef struct lit_pass {
+    rsh_light source;
+    uint shadow_lights, is_base, is_first;
+    __global const rsh_ray* rays;
+    __global const rsh_hit* hits;
+    __global const float4* weights;
+    __global uint* occlusion;
+    __global float4* colour;
+    __global rsh_ray* spawned_rays;
+    __global uint* spawned_skip;
+    __global float4* light_colour;
+} lit_pass;
+
+static void expect_stores(const lit_pass* pass, uint i)
+{
+    expect_rows((__global const float*)pass->spawned_rays, 8, i);
+    expect_rows((__global const float*)pass->spawned_skip, 1, i);
+    expect_rows((__global const float*)pass->light_colour, 4, i);
+    if (pass->is_base) expect_rows((__global const float*)pass->colour, 4, i);
+}
+
+/* What no shadow falls on. */
+static void add_base(const seen_block* block, const look_buffers* look, const lit_pass* pass,
+                     const uint* index, float3v weight)
+{
+    for (uint k = 0; k < RSH_WIDTH; ++k)
+        if (index[k] != RSH_NO_RAY) pass->occlusion[index[k]] = 0;
+    const float3v base = see_all_but(block, look, pass->shadow_lights, (uintv)(0u));
+    colour_lanes sums = load_sums(index, pass->is_first, pass->colour);
+    add_seen(product_v(weight, base), block->active, &sums);
+    store_sums(&sums, index, pass->colour);
+}
+
+/* The rays from i to end, RSH_WIDTH at most. Returns how many are sent to the light. */
+RSH_CALLED static uint shade_block(const surface_buffers* buffers, const look_buffers* look,
+                                   const lit_pass* pass, uint i, uint end)
+{
+    uint index[RSH_WIDTH];
+    seen_block block;
+    seen_light seen;
+    sent_rays sent;
+    number_lanes(i, end, index);
+    expect_stores(pass, i);
+    find_seen(buffers, look, index, pass->rays, pass->hits, &block);
+    const float3v weight = load_weights(index, pass->weights);
+    seen.bits = sent.bits = 0;
+    if (block.found) seen = see_light(&block, pass->source, block.found);
+    if (seen.bits && pass->source.casts_shadow)
+        sent = send_to_light(pass->source, &seen.arrival, &block.surface, &block.rays,
+                             seen.bits & RSH_LANE_BITS(block.lit.sends_back), true);
+    if (pass->is_base) add_base(&block, look, pass, index, weight);
+    store_sent_rays(&sent, index, block.rays.primitive, pass->spawned_rays, pass->spawned_skip);
+    store_sent_weights(product_v(weight, seen.colour), seen.bits, index, pass->light_colour);
+    return popcount(sent.bits);
+}
+
 __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, __global const float* normals,
                             __global const float* texcoords, __global const uint* material_ids,
@@ -39,38 +96,13 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
                                ambient.xyz,
                                environment.xyz,
                                environment_image};
-    const rsh_light source = lights[light];
+    const lit_pass pass = {lights[light], shadow_lights, is_base,      is_first,
+                           rays,          hits,          weights,      occlusion,
+                           colour,        spawned_rays,  spawned_skip, light_colour};
     const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     uint active = 0;
-    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
-        uint index[RSH_WIDTH];
-        seen_block block;
-        seen_light seen;
-        sent_rays sent;
-        number_lanes(i, mine.end, index);
-        expect_rows((__global const float*)spawned_rays, 8, i);
-        expect_rows((__global const float*)spawned_skip, 1, i);
-        expect_rows((__global const float*)light_colour, 4, i);
-        if (is_base) expect_rows((__global const float*)colour, 4, i);
-        find_seen(&buffers, &look, index, rays, hits, &block);
-        const float3v weight = load_weights(index, weights);
-        seen.bits = sent.bits = 0;
-        if (block.found) seen = see_light(&block, source, block.found);
-        if (seen.bits && source.casts_shadow)
-            sent = send_to_light(source, &seen.arrival, &block.surface, &block.rays,
-                                 seen.bits & RSH_LANE_BITS(block.lit.sends_back), true);
-        if (is_base) {
-            for (uint k = 0; k < RSH_WIDTH; ++k)
-                if (index[k] != RSH_NO_RAY) occlusion[index[k]] = 0;
-            const float3v base = see_all_but(&block, &look, shadow_lights, (uintv)(0u));
-            colour_lanes sums = load_sums(index, is_first, colour);
-            add_seen(product_v(weight, base), block.active, &sums);
-            store_sums(&sums, index, colour);
-        }
-        store_sent_rays(&sent, index, block.rays.primitive, spawned_rays, spawned_skip);
-        store_sent_weights(product_v(weight, seen.colour), seen.bits, index, light_colour);
-        active += popcount(sent.bits);
-    }
+    for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step)
+        active += shade_block(&buffers, &look, &pass, i, mine.end);
     add_active(active_count, active);
 }
 

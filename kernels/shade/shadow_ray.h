@@ -13,9 +13,9 @@
 
 /* Those that the lanes in `bits` send. None goes to a light closer to the surface than the origin's
  * offset. */
-static sent_rays send_to_light(rsh_light light, const light_arrival* arrival,
-                               const surface_lanes* surface, const ray_lanes* block, uint bits,
-                               bool is_skipped)
+RSH_CALLED static sent_rays send_to_light(rsh_light light, const light_arrival* arrival,
+                                          const surface_lanes* surface, const ray_lanes* block,
+                                          uint bits, bool is_skipped)
 {
     sent_rays made;
     made.bits = bits;

@@ -21,7 +21,7 @@ typedef struct waiting_rays {
 } waiting_rays;
 
 /* The first RSH_WIDTH of them; RSH_NO_RAY: where there are not as many. */
-static void take_block(waiting_rays* waiting, uint* index)
+RSH_CALLED static void take_block(waiting_rays* waiting, uint* index)
 {
     const uint taken = min(waiting->count, (uint)RSH_WIDTH);
     for (uint k = 0; k < RSH_WIDTH; ++k) index[k] = k < taken ? waiting->index[k] : RSH_NO_RAY;
@@ -30,10 +30,10 @@ static void take_block(waiting_rays* waiting, uint* index)
 }
 
 /* Of RSH_WIDTH rays, those that may be sent on wait; of the others it is noted that none is. */
-static void note_candidates(const surface_buffers* buffers,
-                            __global const rsh_material* materials, uint kinds,
-                            __global const rsh_hit* hits, const uint* index,
-                            waiting_rays* waiting, __global uint2* branches)
+RSH_CALLED static void note_candidates(const surface_buffers* buffers,
+                                       __global const rsh_material* materials, uint kinds,
+                                       __global const rsh_hit* hits, const uint* index,
+                                       waiting_rays* waiting, __global uint2* branches)
 {
     uint primitive[RSH_WIDTH];
     for (uint k = 0; k < RSH_WIDTH; ++k)
@@ -48,8 +48,8 @@ static void note_candidates(const surface_buffers* buffers,
 }
 
 /* Numbers the rays that a block sends on, of either kind. */
-static void number_branches(const branch_lanes* at, const uint* index, uint* sum,
-                            __global uint2* branches)
+RSH_CALLED static void number_branches(const branch_lanes* at, const uint* index, uint* sum,
+                                       __global uint2* branches)
 {
     for (uint k = 0; k < RSH_WIDTH; ++k) {
         if (index[k] == RSH_NO_RAY) continue;
@@ -96,8 +96,8 @@ __kernel void rsh_wave_count(mesh_view mesh, __global const float* vertices,
 }
 
 /* Where the rays that a block sends on stand in the next wave: counted from `begin` now. */
-static void place_branches(const branch_lanes* at, const uint* index, uint2 begin,
-                           uint (*places)[RSH_WIDTH], __global uint2* branches)
+RSH_CALLED static void place_branches(const branch_lanes* at, const uint* index, uint2 begin,
+                                      uint (*places)[RSH_WIDTH], __global uint2* branches)
 {
     for (uint k = 0; k < RSH_WIDTH; ++k) {
         places[RSH_REFLECTED][k] = places[RSH_REFRACTED][k] = RSH_NO_RAY;
@@ -112,8 +112,8 @@ static void place_branches(const branch_lanes* at, const uint* index, uint2 begi
 }
 
 /* Those among RSH_WIDTH rays that send others on wait. */
-static void note_senders(__global const uint2* branches, const uint* index,
-                         waiting_rays* waiting)
+RSH_CALLED static void note_senders(__global const uint2* branches, const uint* index,
+                                    waiting_rays* waiting)
 {
     for (uint k = 0; k < RSH_WIDTH; ++k) {
         if (index[k] == RSH_NO_RAY) continue;
@@ -175,6 +175,18 @@ __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
     }
 }
 
+RSH_CALLED static void gather_block(const uint* index, __global const uint2* branches,
+                                    __global const float4* next, __global float4* colour)
+{
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        const uint i = index[k];
+        if (i == RSH_NO_RAY) continue;
+        const uint2 branch = branches[i];
+        if (branch.x != RSH_NO_RAY) colour[i].xyz += next[branch.x].xyz;
+        if (branch.y != RSH_NO_RAY) colour[i].xyz += next[branch.y].xyz;
+    }
+}
+
 /* Adds to the colour of each ray what those see that it sent on: reflected, then refracted, so
  * that the sum does not depend on how a wave is split up.
  *   next_count  in  0: it has none; NULL: some
@@ -189,12 +201,6 @@ __kernel void rsh_wave_gather(wave_part part, __global const uint* list_count,
     for (uint place = mine.begin; place < mine.end; place += RSH_WIDTH) {
         uint index[RSH_WIDTH];
         rays_at_places(part, part.first + place, part.first + mine.end, index);
-        for (uint k = 0; k < RSH_WIDTH; ++k) {
-            const uint i = index[k];
-            if (i == RSH_NO_RAY) continue;
-            const uint2 branch = branches[i];
-            if (branch.x != RSH_NO_RAY) colour[i].xyz += next[branch.x].xyz;
-            if (branch.y != RSH_NO_RAY) colour[i].xyz += next[branch.y].xyz;
-        }
+        gather_block(index, branches, next, colour);
     }
 }

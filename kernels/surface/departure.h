@@ -84,7 +84,8 @@ static void take_barycentric_points(const surface_lanes* surface, const ray_lane
     from->error = select(0x1p-21f * surface->edges.extent, from->error, is_kept);
 }
 
-static departure_lanes departures_of(const surface_lanes* surface, const ray_lanes* block)
+RSH_CALLED static departure_lanes departures_of(const surface_lanes* surface,
+                                                const ray_lanes* block)
 {
     departure_lanes from;
     const floatv scale = scale_to_one_v(largest_v(fabs_v(block->direction)));

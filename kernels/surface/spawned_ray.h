@@ -24,8 +24,9 @@ static void put_rows(float3v v, float w, uint bits, float w_of_none, floatv* row
 
 /* To the places of the lanes (RSH_NO_RAY: none). primitive: the triangles that the rays leave, which
  * they skip; skip may be NULL. */
-static void store_sent_rays(const sent_rays* sent, const uint* places, const uint* primitive,
-                            __global rsh_ray* rays, __global uint* skip)
+RSH_CALLED static void store_sent_rays(const sent_rays* sent, const uint* places,
+                                       const uint* primitive, __global rsh_ray* rays,
+                                       __global uint* skip)
 {
     const uint bits = lanes_with_ray(places);
     floatv origin[4], direction[4];
@@ -39,8 +40,8 @@ static void store_sent_rays(const sent_rays* sent, const uint* places, const uin
 }
 
 /* Of these rays; 0: there is none. */
-static void store_sent_weights(float3v weight, uint bits, const uint* places,
-                               __global float4* weights)
+RSH_CALLED static void store_sent_weights(float3v weight, uint bits, const uint* places,
+                                          __global float4* weights)
 {
     floatv row[4];
     put_rows(weight, 0.0f, bits, 0.0f, row);

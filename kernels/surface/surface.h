@@ -112,8 +112,8 @@ static uint lanes_with_hit(const uint* index, __global const rsh_hit* hits, uint
 }
 
 /* The rays of these numbers (RSH_NO_RAY: none; not all of them) and their hits. */
-static void load_rays(const uint* index, __global const rsh_ray* rays,
-                      __global const rsh_hit* hits, ray_lanes* block)
+RSH_CALLED static void load_rays(const uint* index, __global const rsh_ray* rays,
+                                 __global const rsh_hit* hits, ray_lanes* block)
 {
     uint filled[RSH_WIDTH];
     floatv origin[4], direction[4], hit[4];
@@ -136,7 +136,7 @@ static void load_rays(const uint* index, __global const rsh_ray* rays,
 }
 
 /* The weights of these rays (RSH_NO_RAY: none; not all of them); weights NULL: all 1. */
-static float3v load_weights(const uint* index, __global const float4* weights)
+RSH_CALLED static float3v load_weights(const uint* index, __global const float4* weights)
 {
     if (!weights) return lanes_of((float3)(1.0f));
     uint filled[RSH_WIDTH];
@@ -260,8 +260,8 @@ static void load_colours(__global const rsh_float4* of_first, const uint* materi
 }
 
 /* Of the lanes in `bits`, a bit for each whose ray hits something that has a normal. */
-static uint find_surfaces(const surface_buffers* buffers, const ray_lanes* block, uint bits,
-                          surface_lanes* surface)
+RSH_CALLED static uint find_surfaces(const surface_buffers* buffers, const ray_lanes* block,
+                                     uint bits, surface_lanes* surface)
 {
     const floatv zero = (floatv)(0.0f);
     bits = load_surfaces(buffers, block, bits & RSH_LANE_BITS(block->is_active), surface);

@@ -182,8 +182,8 @@ static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const 
 
 /* Hits without those that mesh/leaving.h says are none, of the lanes whose hit may be doubtful,
  * a bit each. */
-static intv without_separated(const ray_packet* packet, uint v, const float* at, intv is_hit,
-                              floatv t, uint near)
+RSH_CALLED static intv without_separated(const ray_packet* packet, uint v, const float* at,
+                                         intv is_hit, floatv t, uint near)
 {
     const triangle_points points = {vload3(0, at), vload3(1, at), vload3(2, at)};
     const floatv limit =
@@ -198,8 +198,8 @@ static intv without_separated(const ray_packet* packet, uint v, const float* at,
 }
 
 /* Hits with a triangle that the rays have not left. */
-static intv without_left(const ray_packet* packet, uint v, const float* at, uint triangle,
-                         intv is_hit, floatv t)
+RSH_CALLED static intv without_left(const ray_packet* packet, uint v, const float* at,
+                                    uint triangle, intv is_hit, floatv t)
 {
     const uintv skip = packet->skip[v];
     is_hit &= skip != (uintv)(triangle);
@@ -244,8 +244,8 @@ static void store_whole_packet(float16* row, ray_tile tile, uint b, __global rsh
 }
 #endif
 
-static void store_packet_hits(const ray_packet* packet, ray_tile tile, uint b,
-                              __global rsh_hit* hits)
+RSH_CALLED static void store_packet_hits(const ray_packet* packet, ray_tile tile, uint b,
+                                         __global rsh_hit* hits)
 {
     floatv t[RSH_VECTORS];
     for_each_vector(v) {

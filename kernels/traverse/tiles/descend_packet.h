@@ -15,8 +15,8 @@ typedef struct block_packet {
     uint wasted;     /* a visit that meets no ray adds 1, another one takes 1 off */
 } block_packet;
 
-static void visit_box_by_block(traversal_state* state, block_packet* block,
-                               const bvh_child* box)
+RSH_CALLED static void visit_box_by_block(traversal_state* state, block_packet* block,
+                                          const bvh_child* box)
 {
     ray_packet* packet = packet_of(state, block->b);
     uint rays = 0; /* not known yet */
@@ -40,7 +40,7 @@ static void visit_box_by_block(traversal_state* state, block_packet* block,
 }
 
 /* Visits what lies on the stack above `bottom`. */
-static void traverse_block(traversal_state* state, block_packet* block, uint bottom)
+RSH_CALLED static void traverse_block(traversal_state* state, block_packet* block, uint bottom)
 {
     while (state->stack_size > bottom) {
         const ulong top = state->stack[--state->stack_size];

@@ -8,7 +8,7 @@
 #include "traverse/tiles/state.h"
 
 /* Ray k of block b through a child: a leaf, or a node and all below it. */
-static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
+RSH_CALLED static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
 {
     ray_packet* packet = packet_of(state, b);
     single_ray ray = single_ray_of(packet, k);
@@ -38,7 +38,7 @@ static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
 }
 
 /* All rays of block b through the whole scene. */
-static void traverse_rays(traversal_state* state, uint b)
+RSH_CALLED static void traverse_rays(traversal_state* state, uint b)
 {
     for (uint k = 0; k < 16; ++k)
         if (lane_of(&packet_of(state, b)->ray[k / RSH_WIDTH].tmax, k % RSH_WIDTH) >= 0.0f)

@@ -13,7 +13,8 @@ typedef struct loaded_leaf {
 
 /* The boxes of its triangles are padded as rays/box_node.h says, by the largest component in
  * the leaf. */
-static void load_leaf(const traversal_state* state, const bvh_child* box, loaded_leaf* leaf)
+RSH_CALLED static void load_leaf(const traversal_state* state, const bvh_child* box,
+                                 loaded_leaf* leaf)
 {
     leaf->corners = leaf_of(state, box->child);
     leaf->is_scaled = (box->child & RSH_SCALED) != 0;
@@ -31,7 +32,8 @@ static void load_leaf(const traversal_state* state, const bvh_child* box, loaded
         }
 }
 
-static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf, uint k, uint b)
+RSH_CALLED static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf,
+                                          uint k, uint b)
 {
     const leaf_triangle triangle = leaf_triangle_at(leaf->corners, k, leaf->is_scaled);
     count_for_blocks(state, &state->ray_tests, 1u << b, 1);
@@ -39,8 +41,8 @@ static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf, 
         lower_block_limit(state, b);
 }
 
-static void intersect_by_rays(traversal_state* state, const loaded_leaf* leaf, uint b,
-                              uint rays)
+RSH_CALLED static void intersect_by_rays(traversal_state* state, const loaded_leaf* leaf,
+                                         uint b, uint rays)
 {
     ray_packet* packet = packet_of(state, b);
     bool changed = false;
@@ -57,8 +59,9 @@ static void intersect_by_rays(traversal_state* state, const loaded_leaf* leaf, u
 
 /* Triangle by triangle against all rays of the block, or ray by ray against all triangles,
  * whichever are fewer. rays: those that meet the leaf; 0 if that is not known yet. */
-static void intersect_loaded_leaf(traversal_state* state, const loaded_leaf* leaf, uint b,
-                                  const int* sign, const bvh_child* box, uint rays)
+RSH_CALLED static void intersect_loaded_leaf(traversal_state* state, const loaded_leaf* leaf,
+                                             uint b, const int* sign, const bvh_child* box,
+                                             uint rays)
 {
     ray_packet* packet = packet_of(state, b);
     count_for_blocks(state, &state->node_tests, 1u << b, 16);

@@ -21,7 +21,7 @@ static floatv row_of(const traversal_state* state, uint row, uint v)
     return load_lanes(state->nodes + 16 * row + RSH_WIDTH * v);
 }
 
-static packet_bounds packet_bounds_of(const traversal_state* state, uint blocks)
+RSH_CALLED static packet_bounds packet_bounds_of(const traversal_state* state, uint blocks)
 {
     intv is_in[RSH_VECTORS];
     for_each_vector(v)
@@ -63,7 +63,7 @@ static float cost_of(const traversal_state* state, const packet_bounds* bounds)
 }
 
 /* The cost of each block on its own. */
-static void costs_of_blocks(const traversal_state* state, float* cost)
+RSH_CALLED static void costs_of_blocks(const traversal_state* state, float* cost)
 {
     for_each_vector(v) {
         floatv longest = (floatv)(0.0f), side[3];

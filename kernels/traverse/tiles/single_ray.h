@@ -27,7 +27,7 @@ typedef struct single_ray {
 #endif
 } single_ray;
 
-static single_ray single_ray_of(const ray_packet* packet, uint k)
+RSH_CALLED static single_ray single_ray_of(const ray_packet* packet, uint k)
 {
     const sheared_rays* r = &packet->ray[k / RSH_WIDTH];
     const uint lane = k % RSH_WIDTH;

@@ -62,8 +62,8 @@ static bool list_leaf_hits(single_ray* ray, __global const float* leaf, uint v,
 }
 
 /* True if the ray has more hits now. */
-static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_scaled,
-                           bool is_any)
+RSH_CALLED static bool intersect_leaf(single_ray* ray, __global const float* leaf,
+                                      bool is_scaled, bool is_any)
 {
     const sheared_rays r = sheared_ray_of(ray);
     bool changed = false;
@@ -85,8 +85,8 @@ static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_
 #else
 
 /* As intersect_packet: true if the ray has a closer hit now. */
-static bool intersect_leaf(single_ray* ray, __global const float* leaf, bool is_scaled,
-                           bool is_any)
+RSH_CALLED static bool intersect_leaf(single_ray* ray, __global const float* leaf,
+                                      bool is_scaled, bool is_any)
 {
     __global const uint* triangles = (__global const uint*)leaf + RSH_TRIANGLES_AT;
     bool changed = false;

@@ -61,7 +61,7 @@ static void count_for_ray(traversal_state* state, ulong* tests, uint b, uint k)
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
 static bool is_single(uint bits) { return (bits & (bits - 1)) == 0; }
 
-static ray_packet* packet_of(traversal_state* state, uint b)
+RSH_CALLED static ray_packet* packet_of(traversal_state* state, uint b)
 {
     ray_packet* packet = &state->packet[b];
     if (state->loaded >> b & 1) return packet;
@@ -145,8 +145,8 @@ static uint sort_boxes(uint met, const float* near, uint node, __global const ui
 }
 
 /* Pushes the boxes of a node that the packet, of these blocks, can meet. */
-static void push_boxes_met(traversal_state* state, const interval_packet* packet, uint blocks,
-                           uint node)
+RSH_CALLED static void push_boxes_met(traversal_state* state, const interval_packet* packet,
+                                      uint blocks, uint node)
 {
     float near[16];
     boxes16 boxes;

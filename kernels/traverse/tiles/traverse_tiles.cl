@@ -52,7 +52,8 @@ static void lower_limit(const traversal_state* state, tile_packet* packet)
     packet->intervals.limit = largest_lane(limit);
 }
 
-static void visit_box(traversal_state* state, tile_packet* packet, const bvh_child* box)
+RSH_CALLED static void visit_box(traversal_state* state, tile_packet* packet,
+                                 const bvh_child* box)
 {
     count_for_blocks(state, &state->node_tests, packet->blocks, 1);
     uint blocks = packets_meeting(&state->blocks, &packet->intervals, box->low, box->high) &
@@ -76,7 +77,8 @@ static void visit_box(traversal_state* state, tile_packet* packet, const bvh_chi
     lower_limit(state, packet);
 }
 
-static void traverse(traversal_state* state, uint blocks, const packet_bounds* bounds)
+RSH_CALLED static void traverse(traversal_state* state, uint blocks,
+                                const packet_bounds* bounds)
 {
     tile_packet packet = tile_packet_of(state, blocks, bounds);
     lower_limit(state, &packet);
@@ -101,7 +103,7 @@ static bool is_incoherent(const traversal_state* state, float cost)
 }
 
 /* Together, if that costs no more than block by block. */
-static bool traverse_together(traversal_state* state, uint blocks, const float* cost)
+RSH_CALLED static bool traverse_together(traversal_state* state, uint blocks, const float* cost)
 {
     const packet_bounds bounds = packet_bounds_of(state, blocks);
     float apart = 0.0f, together = RSH_PACKET_COST + cost_of(state, &bounds);
@@ -115,7 +117,7 @@ static bool traverse_together(traversal_state* state, uint blocks, const float* 
     return true;
 }
 
-static void traverse_apart(traversal_state* state, uint blocks, const float* cost)
+RSH_CALLED static void traverse_apart(traversal_state* state, uint blocks, const float* cost)
 {
     for (; blocks; blocks &= blocks - 1) {
         const uint b = lowest_bit(blocks);
@@ -130,7 +132,7 @@ static void traverse_apart(traversal_state* state, uint blocks, const float* cos
 
 /* A tile whose rays have little in common, as at the edge between two mirrors, is split into
  * quarters, these into blocks, these into rays. */
-static void traverse_tile(traversal_state* state, uint active)
+RSH_CALLED static void traverse_tile(traversal_state* state, uint active)
 {
     float cost[16];
     costs_of_blocks(state, cost);
@@ -143,7 +145,7 @@ static void traverse_tile(traversal_state* state, uint active)
 }
 
 /* Returns the blocks that hold an active ray, a bit each. */
-static uint begin_tile(traversal_state* state)
+RSH_CALLED static uint begin_tile(traversal_state* state)
 {
     uint active = 0;
     for_each_vector(v) {
@@ -179,7 +181,7 @@ static uint begin_nothing(traversal_state* state)
     return 0;
 }
 
-static void measure_scene(traversal_state* state)
+RSH_CALLED static void measure_scene(traversal_state* state)
 {
     boxes16 top;
     float side[3];
@@ -192,7 +194,7 @@ static void measure_scene(traversal_state* state)
 }
 
 #if RSH_ALL_HITS
-static void store_answers(traversal_state* state, __global uint* counts)
+RSH_CALLED static void store_answers(traversal_state* state, __global uint* counts)
 {
     for (uint b = 0; b < 16; ++b)
         store_packet_counts(state->loaded >> b & 1 ? &state->packet[b] : 0, state->tile, b,
@@ -200,8 +202,8 @@ static void store_answers(traversal_state* state, __global uint* counts)
     close_list(&state->list);
 }
 #else
-static void store_answers(const traversal_state* state, __global rsh_hit* hits,
-                          __global uint* occlusion, uint occlusion_bit)
+RSH_CALLED static void store_answers(const traversal_state* state, __global rsh_hit* hits,
+                                     __global uint* occlusion, uint occlusion_bit)
 {
     for (uint b = 0; b < 16; ++b) {
         const bool is_loaded = state->loaded >> b & 1;
