@@ -17,9 +17,8 @@
 #define RSH_UNLISTED 0x80000000u /* flag in `ends`: the list did not fit */
 
 /* Of triangle i; first > last: none. */
-RSH_CALLED static ushort4 box_of(const screen_setup* screen, mesh_view mesh,
-                                 __global const float* vertices, __global const uint* indices,
-                                 uint i)
+static ushort4 box_of(const screen_setup* screen, mesh_view mesh,
+                      __global const float* vertices, __global const uint* indices, uint i)
 {
     triangle_points triangle;
     const bool is_valid = load_triangle(mesh, vertices, indices, i, &triangle) &&
@@ -125,9 +124,9 @@ static void offer(const raster_input* input, pixel_square* square, uint i)
 }
 
 /* Offers the square what its tile's lists hold. */
-RSH_CALLED static void offer_lists(const screen_setup* screen, const raster_input* input,
-                                   uint tile, __global const uint* ends,
-                                   __global const uint* lists, pixel_square* square)
+static void offer_lists(const screen_setup* screen, const raster_input* input, uint tile,
+                        __global const uint* ends, __global const uint* lists,
+                        pixel_square* square)
 {
     for (uint range = 0; range < screen->range_count; ++range) {
         __global const uint* list_end = ends + (ulong)range * screen->tile_count + tile;

@@ -74,8 +74,7 @@ static void load_part_of_block(ray_tile tile, uint b, __global const rsh_ray* ra
 }
 
 /* Lanes outside of the grid or list are inactive. */
-RSH_CALLED static void load_block(ray_tile tile, uint b, __global const rsh_ray* rays,
-                                  ray_block* block)
+static void load_block(ray_tile tile, uint b, __global const rsh_ray* rays, ray_block* block)
 {
 #if RSH_WIDTH > 1
     if (is_whole(tile, b))
