@@ -129,6 +129,7 @@ static vector_hits no_vector_hits(void) { return no_hits(); }
 static void keep_hits(vector_hits* found, const lane_hits* hits, const uint* index,
                       uint triangle, uint places, hit_list* list)
 {
+    (void)index, (void)list; /* for all hits */
     keep_closer(found, *hits, triangle, places);
 }
 

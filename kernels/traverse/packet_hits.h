@@ -46,6 +46,7 @@ static void list_packet_hits(ray_packet* packet, uint v, const leaf_triangle* tr
 /* True if a ray has more hits now. */
 static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
 {
+    (void)is_any; /* no hit ends a ray */
     bool changed = false;
     for_each_vector(v) {
         const sheared_rays r = packet->ray[v];

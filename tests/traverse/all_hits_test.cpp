@@ -93,6 +93,23 @@ TEST(AllHitsOfASoup, AreTheSameWithEveryVectorWidth) {
         }
 }
 
+TEST(AllHitsOfASoup, AreTheSameWhereTestsAreCounted) {
+    test::Random random(54);
+    const DeviceMesh mesh(test::random_soup(random, test::small() ? 50 : 700));
+    const test::Rays rays = test::random_rays(random, 31, 17);
+    const auto expected = hit_counts(mesh, rays, test::brute_force());
+    const size_t count = rays.rays.size();
+    for (const cl_uint engine : {RSH_ENGINE_TILES, RSH_ENGINE_BRUTE_FORCE}) {
+        const test::Buffer<uint32_t> tests(std::vector<uint32_t>(count, 0));
+        TraceOptions options;
+        options.engine = engine;
+        options.tests_per_ray = tests.get();
+        EXPECT_TRUE(test::same_bits(hit_counts(mesh, rays, options), expected, "counts"));
+        const auto counted = tests.read();
+        for (size_t i = 0; i < count; ++i) ASSERT_GE(counted[i], expected[i]) << i;
+    }
+}
+
 // More hits than are sorted by insertion, for one ray.
 TEST(AllHitsOfALine, AreInOrder) {
     test::Mesh mesh;

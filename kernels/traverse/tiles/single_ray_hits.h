@@ -65,6 +65,7 @@ static bool list_leaf_hits(single_ray* ray, __global const float* leaf, uint v,
 RSH_CALLED static bool intersect_leaf(single_ray* ray, __global const float* leaf,
                                       bool is_scaled, bool is_any)
 {
+    (void)is_any; /* no hit ends a ray */
     const sheared_rays r = sheared_ray_of(ray);
     bool changed = false;
     for_each_vector(v) {
