@@ -91,3 +91,11 @@ def test_threads_share_a_context(context, queue, mesh):
 
     with ThreadPoolExecutor(4) as threads:
         assert all(threads.map(run, range(4)))
+
+
+def test_threads_share_a_scene(mesh):
+    scene = rsh.Scene(mesh.vertices, mesh.faces)
+    rays = mesh.rays.view(np.float32).reshape(-1, 8)
+    expected = scene.closest(rays).tobytes()
+    with ThreadPoolExecutor(4) as threads:
+        assert all(hits.tobytes() == expected for hits in threads.map(scene.closest, [rays] * 100))

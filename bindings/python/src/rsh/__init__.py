@@ -6,10 +6,12 @@ Functions have the names and meaning of those in rsh.h, without `rsh_`, and cons
 
 from rsh._context import Context, find_device
 from rsh._errors import Error, InvalidValueError, NoDeviceError, OutOfMemoryError
+from rsh._rays import make_rays
 from rsh.calls import *
 from rsh.calls import __all__ as _calls
 from rsh.constants import *
 from rsh.constants import __all__ as _constants
+from rsh.scene import Scene
 
 __all__ = [
     "Context",
@@ -17,7 +19,9 @@ __all__ = [
     "InvalidValueError",
     "NoDeviceError",
     "OutOfMemoryError",
+    "Scene",
     "find_device",
+    "make_rays",
     *_calls,
     *_constants,
 ]

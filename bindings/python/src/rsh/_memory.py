@@ -25,10 +25,10 @@ def memory_object(value: Any) -> Any:
         )
     if not value.flags.c_contiguous:
         raise ValueError(f"has strides {value.strides}, must be C-contiguous")
-    data = value.base_data
+    data: Any = value.base_data
     if not isinstance(data, cl.MemoryObjectHolder | None):
         raise TypeError(f"is an array in {type(data).__name__}, must be one in a buffer")
     if data is None or value.offset == 0:
         return data
-    whole = cl.Buffer.from_int_ptr(data.int_ptr)  # pools have buffers of another type
+    whole: Any = cl.Buffer.from_int_ptr(data.int_ptr)  # pools have buffers of another type
     return whole[value.offset : value.offset + value.nbytes]
