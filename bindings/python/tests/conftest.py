@@ -4,9 +4,9 @@ import numpy as np
 import pyopencl as cl
 import pyopencl.array as cla
 import pytest
-from rsh.structs import Hit, Ray
 
 import rsh
+from rsh.structs import Hit, Ray
 
 
 @pytest.fixture(scope="session")

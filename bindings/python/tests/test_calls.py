@@ -5,9 +5,9 @@ import pyopencl as cl
 import pyopencl.array as cla
 import pytest
 from conftest import closest, crossings, trace
-from rsh.structs import Hit, Light, Material, Scene
 
 import rsh
+from rsh.structs import Hit, Light, Material, Scene
 
 ENGINES = [rsh.ENGINE_TILES, rsh.ENGINE_PAPER, rsh.ENGINE_PAPER_FAITHFUL, rsh.ENGINE_BRUTE_FORCE]
 

@@ -9,9 +9,9 @@ import pyopencl as cl
 import pyopencl.array as cla
 import pytest
 from conftest import allocate, closest, trace
-from rsh.structs import Geometry, Hit, Material, Scene
 
 import rsh
+from rsh.structs import Geometry, Hit, Material, Scene
 
 
 def test_the_message_names_the_argument(context, queue, mesh):
