@@ -4,6 +4,7 @@ Functions have the names and meaning of those in rsh.h, without `rsh_`, and cons
 `rsh.structs` has the structs.
 """
 
+from rsh._compact import compact
 from rsh._context import Context, find_device
 from rsh._errors import Error, InvalidValueError, NoDeviceError, OutOfMemoryError
 from rsh._rays import make_rays
@@ -20,6 +21,7 @@ __all__ = [
     "NoDeviceError",
     "OutOfMemoryError",
     "Scene",
+    "compact",
     "find_device",
     "make_rays",
     *_calls,
