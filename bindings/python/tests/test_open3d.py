@@ -72,6 +72,7 @@ def test_occlusions_and_counts(scene):
     assert found.dtype == bool
     assert found.tolist() == [True, False, True, True]
     assert scene.test_occlusions(RAYS, tnear=2, tfar=8).tolist() == [False, False, True, True]
+    assert scene.test_occlusions(RAYS, tnear=9.5).tolist() == [True, False, False, False]
     counts = scene.count_intersections(RAYS)
     assert counts.dtype == np.int32
     assert counts.tolist() == [2, 0, 4, 2]
@@ -118,6 +119,16 @@ def test_rays_of_a_camera():
     assert rays.shape == (2, 3, 6)
     np.testing.assert_allclose(rays[0, 0], [0.2, -0.1, -0.3, 0.0025, -0.003, 1], rtol=1e-6)
     np.testing.assert_allclose(rays[1, 2], [0.2, -0.1, -0.3, 0, 0.001, 1], rtol=1e-6, atol=1e-9)
+
+
+def test_meshes_may_be_added_between_casts(scene):
+    for i in range(3):
+        height = 20.0 + i
+        triangle = [[0, 0, height], [1, 0, height], [0, 1, height]]
+        assert scene.add_triangles(triangle, [[0, 1, 2]]) == 2 + i
+        answer = scene.cast_rays([[0.2, 0.2, 30, 0, 0, -1]])
+        assert (answer["geometry_ids"][0], answer["primitive_ids"][0]) == (2 + i, 0)
+        assert answer["t_hit"][0] == pytest.approx(30 - height)
 
 
 def test_answers_have_the_shape_of_the_rays(scene):
