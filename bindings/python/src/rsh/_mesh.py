@@ -7,6 +7,7 @@ import numpy as np
 import pyopencl as cl
 import pyopencl.array as cla
 from numpy.typing import ArrayLike, NDArray
+from pyopencl.tools import ImmediateAllocator, MemoryPool
 
 from rsh._arrays import Floats, is_on_device, on_device, on_host, require
 from rsh._context import Context
@@ -20,6 +21,7 @@ class Mesh:
 
     def __init__(self, context: Context, queue: cl.CommandQueue, engine: int) -> None:
         self._context, self._queue, self._lock = context, queue, Lock()
+        self._pool = MemoryPool(ImmediateAllocator(queue))
         self._engine = default_engine(context) if engine == ENGINE_DEFAULT else engine
         self.geometry = Geometry()
         self._bounded: cl.Event | None = None
@@ -68,7 +70,7 @@ class Mesh:
         require(taken.ndim == 2 and taken.shape[1] in widths, name, taken, allowed)
         if is_there:
             return array  # type: ignore[no-any-return]
-        return cla.to_device(self._queue, taken)
+        return cla.to_device(self._queue, taken, allocator=self._pool)
 
     def bounds(self) -> cl.Buffer | None:
         """Return bounds of the triangles as they are now; brute force needs none."""
