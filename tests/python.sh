@@ -15,7 +15,7 @@ rm -rf "$folder"
 "$folder/pypi/bin/python" -m build -q --outdir "$folder/dist" bindings/python
 "$folder/pypi/bin/pip" install -q "$(echo "$folder"/dist/rsh-*.whl)[test]"
 "$folder/debian/bin/pip" install -q --no-deps "$folder"/dist/rsh-*.whl
-"$folder/debian/bin/pip" install -q hypothesis pytest trimesh
+"$folder/debian/bin/pip" install -q hypothesis pillow pytest trimesh
 
 # No folder of the sources may be on the path: the package is the installed one.
 cd bindings/python
@@ -23,6 +23,6 @@ for environment in pypi debian; do
     echo "== pyopencl of $environment"
     "$folder/$environment/bin/python" -m pytest -q -p no:cacheprovider
 done
-"$folder/pypi/bin/ruff" check --no-cache .
+"$folder/pypi/bin/ruff" check --no-cache . ../../samples/python
 "$folder/pypi/bin/ruff" format --no-cache --check .
 "$folder/pypi/bin/mypy" --cache-dir "$folder/mypy" --strict -p rsh
