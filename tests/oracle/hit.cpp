@@ -82,19 +82,21 @@ Volumes volumes_of(const Pair& pair) {
     return volumes;
 }
 
-bool is_within_limits(const Pair& pair, const Volumes& v, Denormals denormals) {
-    double farthest = 0, area = 0;
-    for (int i = 0; i < 3; ++i) {
-        farthest = std::max(farthest, max_norm(pair.p[i]));
-        area += std::fabs(v.w[i]) - v.bound[i];
-    }
+bool is_slim(const Pair& pair, const Volumes& v) {
+    double area = 0;
+    for (int i = 0; i < 3; ++i) area += std::fabs(v.w[i]) - v.bound[i];
+    const double unit = std::max(pair.size, computed_unit(pair.size) * 0x1p-20);
+    return !(area >= 2 * kThinnest * unit * unit * pair.direction);
+}
+
+bool is_within_limits(const Pair& pair, Denormals denormals) {
+    double farthest = 0;
+    for (int i = 0; i < 3; ++i) farthest = std::max(farthest, max_norm(pair.p[i]));
     const bool is_kept = denormals == Denormals::kKept;
     const double shortest = is_kept ? kShortest : kShortestNormal;
     const double longest = is_kept ? kLargest : kLongestNormal;
-    const double unit = std::max(pair.size, computed_unit(pair.size) * 0x1p-20);
     return farthest <= kFarthest && pair.direction >= shortest * (1 + kRounding) &&
-           pair.direction <= longest * (1 - kRounding * !is_kept) &&
-           area >= 2 * kThinnest * unit * unit * pair.direction;
+           pair.direction <= longest * (1 - kRounding * !is_kept);
 }
 
 bool all_of_one_sign(const Volumes& v) {
@@ -163,6 +165,8 @@ void locate_along(int axis, const Pair& pair, const Volumes& volumes, Candidate*
     const auto [least, greatest] = std::minmax({z[0], z[1], z[2]});
     out->t = sum != 0 ? std::clamp(weighted / sum, least, greatest) : least;
     double low = least - pad, high = greatest + pad;
+    out->corner_t_low = std::min(out->corner_t_low, low);
+    out->corner_t_high = std::max(out->corner_t_high, high);
     if (is_known(volumes)) {
         double error = pad;
         for (int i = 0; i < 3; ++i)
@@ -177,8 +181,8 @@ void locate_along(int axis, const Pair& pair, const Volumes& volumes, Candidate*
 // t, u, v and their intervals; `volumes` may have any sign. Of axes along which the direction is
 // equally long, a float routine may take any.
 void locate(const Pair& pair, const Volumes& volumes, Candidate* out) {
-    out->t_low = std::numeric_limits<double>::infinity();
-    out->t_high = -out->t_low;
+    out->t_low = out->corner_t_low = std::numeric_limits<double>::infinity();
+    out->t_high = out->corner_t_high = -out->t_low;
     for (int axis = 2; axis >= 0; --axis)
         if (std::fabs(component(pair.d, axis)) == max_norm(pair.d))
             locate_along(axis, pair, volumes, out);
@@ -203,9 +207,13 @@ Candidate intersect(const rsh_ray& ray, const Corners& c, Denormals denormals) {
     locate(pair, volumes, &result);
     const double tmin = std::max(ray.origin_tmin.s[3], 0.0f);
     const double tmax = std::min(double(ray.direction_tmax.s[3]), kLargest);
-    result.possible = result.t_high >= tmin && result.t_low <= tmax;
+    result.is_slim = is_slim(pair, volumes);
+    result.possible = result.is_slim
+                          ? result.corner_t_high >= tmin && result.corner_t_low <= tmax
+                          : result.t_high >= tmin && result.t_low <= tmax;
     result.certain = all_of_one_sign(volumes) && result.t_low >= tmin &&
-                     result.t_high <= tmax && is_within_limits(pair, volumes, denormals);
+                     result.t_high <= tmax && !result.is_slim &&
+                     is_within_limits(pair, denormals);
     result.exact = result.t >= tmin && result.t <= tmax && exactly_inside(ray, c, volumes);
     return result;
 }

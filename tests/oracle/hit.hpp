@@ -38,6 +38,10 @@ struct Candidate {
         false;  // hit when nothing is rounded; edges and vertices belong to the triangle
     double t = 0, u = 0, v = 0;
     double t_low = 0, t_high = 0;  // where a float routine's t may lie
+    // Thinner than the limits that rsh.h states for closest hits. Counts and lists of all hits have it
+    // all the same, at a t anywhere between those of its corners.
+    bool is_slim = false;
+    double corner_t_low = 0, corner_t_high = 0;
     double uv_error = 0;
 };
 

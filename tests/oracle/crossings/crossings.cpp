@@ -9,8 +9,9 @@ std::vector<Crossings> crossings(const test::Mesh& mesh, const std::vector<rsh_r
     std::vector<Crossings> all(rays.size());
     find_all(mesh, rays, skip, denormals, [&](size_t ray, std::vector<Found>& found) {
         for (const auto& [triangle, c] : found)
-            all[ray].push_back({triangle, c.certain, c.t_low, c.t_high, float(c.u), float(c.v),
-                                float(c.uv_error)});
+            all[ray].push_back({triangle, c.certain, c.is_slim ? c.corner_t_low : c.t_low,
+                                c.is_slim ? c.corner_t_high : c.t_high, float(c.u), float(c.v),
+                                c.is_slim ? 1.0f : float(c.uv_error)});
     });
     return all;
 }
