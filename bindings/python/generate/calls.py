@@ -6,10 +6,9 @@ from values import HANDLES, SCALARS, class_name, docstring, parameters, pointee,
 HEAD = '''"""The functions of rsh.h. Written when the package was built, from the library and its headers."""
 
 import ctypes as ct
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 import pyopencl as cl
 from numpy.typing import NDArray
 
@@ -17,7 +16,7 @@ from rsh import _call
 from rsh._call import WaitFor
 from rsh._context import Context
 from rsh._memory import Memory
-from rsh._struct import host_array
+from rsh._struct import Vector, host_array
 from rsh.structs import *
 
 '''

@@ -5,13 +5,14 @@ from values import Value, class_name, docstring, is_given, parameters, sections,
 HEAD = '''"""The structs of rsh.h. Written when the package was built, from the library and its headers."""
 
 import ctypes as ct
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import pyopencl as cl
 
 from rsh import _struct
 from rsh._memory import Memory
+from rsh._struct import Vector
 
 '''
 

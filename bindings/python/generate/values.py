@@ -45,7 +45,7 @@ class Value:
         self.annotation, self.default, self.converter = "", "None", None
         kind = field.kind_name
         if field.type == "rsh_float4":
-            self.set("Sequence[float] | None", "vector")
+            self.set("Vector", "vector")
         elif kind in SCALARS and field.count == 1:
             self.annotation, self.default = SCALARS[kind], "0"
         elif kind == "struct":

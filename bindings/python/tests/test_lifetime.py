@@ -99,3 +99,16 @@ def test_threads_share_a_scene(mesh):
     expected = scene.closest(rays).tobytes()
     with ThreadPoolExecutor(4) as threads:
         assert all(hits.tobytes() == expected for hits in threads.map(scene.closest, [rays] * 100))
+
+
+def test_a_scene_takes_no_more_memory_as_it_is_used(mesh):
+    scene = rsh.Scene(mesh.vertices, mesh.faces)
+    rays = mesh.rays.view(np.float32).reshape(-1, 8)
+
+    def use(times):
+        for _ in range(times):
+            scene.update(mesh.vertices)
+            scene.closest(rays, normal=True)
+        return scene._tracer.pool.managed_bytes, scene._mesh._pool.managed_bytes
+
+    assert use(500) == use(10)

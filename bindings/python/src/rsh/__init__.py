@@ -8,6 +8,7 @@ from rsh._compact import compact
 from rsh._context import Context, find_device
 from rsh._errors import Error, InvalidValueError, NoDeviceError, OutOfMemoryError
 from rsh._rays import make_rays
+from rsh._render import look_at, render
 from rsh.calls import *
 from rsh.calls import __all__ as _calls
 from rsh.constants import *
@@ -23,7 +24,9 @@ __all__ = [
     "Scene",
     "compact",
     "find_device",
+    "look_at",
     "make_rays",
+    "render",
     *_calls,
     *_constants,
 ]

@@ -1,7 +1,7 @@
 """What the structs of rsh.h have in common as Python objects."""
 
 import ctypes as ct
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rsh._memory import memory_object
 
+Vector: TypeAlias = Sequence[float] | NDArray[Any] | None
 Conversion: TypeAlias = Callable[["Struct", str, Any], Any]
 
 
