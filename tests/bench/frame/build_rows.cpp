@@ -50,7 +50,7 @@ Case measure_build(const Device& device, SceneOnDevice& scene, const BuildRow& r
     scene.move(0.3);
     RayMaker rays(device, row.size);
     rays.make(scene, row.rays);
-    RshTracer tracer(device, scene.geometry(), row.size, false, column);
+    RshTracer tracer(device, scene.geometry(), row.size, RSH_QUERY_CLOSEST, column);
     tracer.allocate();
     tracer.trace(rays.buffer());
     const std::vector<rsh_hit> hits = tracer.hits();

@@ -71,9 +71,9 @@ bool RowRun::choose(const std::vector<Column>& columns) {
     needs_ = RayMaker::needs(row_.size);
     for (const Column& column : columns) {
         std::string why = run_.estimate.refusal(limit_, column.name(), work());
-        auto tracer =
-            std::make_unique<RshTracer>(run_.devices.at(column.vector_width), scene_.geometry(),
-                                        shape_of(row_), is_shadow_, column);
+        auto tracer = std::make_unique<RshTracer>(
+            run_.devices.at(column.vector_width), scene_.geometry(), shape_of(row_),
+            is_shadow_ ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST, column);
         if (why.empty()) why = why_not(*tracer);
         if (!why.empty()) {
             leave_out(column, why);

@@ -32,20 +32,20 @@ std::string Column::name() const {
 }
 
 RshTracer::RshTracer(const Device& device, const rsh_geometry& geometry, Size size,
-                     bool is_shadow, const Column& column)
-    : device_(device), size_(size), is_shadow_(is_shadow), is_refit_(column.is_refit) {
+                     cl_uint query, const Column& column)
+    : device_(device), size_(size), is_refit_(column.is_refit) {
     bound_.struct_size = sizeof bound_;
     bound_.geometry = geometry;
     bound_.mode = is_refit_ ? RSH_BOUND_QUALITY : RSH_BOUND_FAST;
     build_.struct_size = sizeof build_;
     build_.width = size.width;
     build_.height = size.height;
-    build_.converging = is_shadow;
+    build_.converging = query == RSH_QUERY_ANY;
     traverse_.struct_size = sizeof traverse_;
     traverse_.geometry = geometry;
     traverse_.width = size.width;
     traverse_.height = size.height;
-    traverse_.query = is_shadow ? RSH_QUERY_ANY : RSH_QUERY_CLOSEST;
+    traverse_.query = query;
     traverse_.engine = column.engine;
     bound_.shape = build_.shape = traverse_.shape = column.bound;
     find_sizes();
@@ -71,11 +71,22 @@ void RshTracer::find_sizes() {
         std::max({bound.scratch_bytes, build.scratch_bytes, traverse.scratch_bytes});
 }
 
+void RshTracer::set_hit_capacity(cl_ulong hits) {
+    traverse_.hit_capacity = hits;
+    find_sizes();
+}
+
+size_t RshTracer::answer_bytes() const {
+    if (traverse_.query == RSH_QUERY_CLOSEST) return size_.pixels() * sizeof(rsh_hit);
+    if (traverse_.query == RSH_QUERY_ALL) return traverse_.hit_capacity * sizeof(rsh_hit);
+    return size_.pixels() * sizeof(cl_uint);
+}
+
 std::vector<NamedBytes> RshTracer::needs() const {
     return {{"the bounds", bounds_bytes_},
             {"the nodes", nodes_bytes_},
             {"the scratch memory", scratch_bytes_},
-            {"the hits", size_.pixels() * sizeof(rsh_hit)}};
+            {"the hits", answer_bytes()}};
 }
 
 void RshTracer::allocate() {
@@ -86,13 +97,21 @@ void RshTracer::allocate() {
     build_.nodes = traverse_.nodes = nodes_();
     bound_.scratch = build_.scratch = traverse_.scratch = scratch_();
     answers_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE,
-                          size_.pixels() * (is_shadow_ ? sizeof(cl_uint) : sizeof(rsh_hit)));
-    (is_shadow_ ? traverse_.occlusion : traverse_.hits) = answers_();
+                          std::max(answer_bytes(), sizeof(rsh_hit)));
+    (is_shadow()                          ? traverse_.occlusion
+     : traverse_.query == RSH_QUERY_COUNT ? traverse_.hit_counts
+                                          : traverse_.hits) = answers_();
+    if (traverse_.query != RSH_QUERY_ALL) return;
+    offsets_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE,
+                          (size_.pixels() + 1) * sizeof(cl_ulong));
+    traverse_.hit_offsets = offsets_();
 }
 
 void RshTracer::spoil_answers() {
-    const size_t words = size_.pixels() * (is_shadow_ ? sizeof(cl_uint) : sizeof(rsh_hit)) / 4;
-    device_.queue().enqueueFillBuffer(answers_, cl_uint{0xa5a5a5a5}, 0, 4 * words);
+    for (const cl::Buffer& buffer : {answers_, offsets_})
+        if (buffer())
+            device_.queue().enqueueFillBuffer(buffer, cl_uint{0xa5a5a5a5}, 0,
+                                              buffer.getInfo<CL_MEM_SIZE>());
 }
 
 FrameTimes RshTracer::trace(const cl::Buffer& rays) {
@@ -101,7 +120,7 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
     const cl_command_queue queue = device_.queue()();
     FrameTimes times;
     times.total = milliseconds([&] {
-        if (is_shadow_)
+        if (is_shadow())
             device_.queue().enqueueFillBuffer(answers_, cl_uint{0}, 0,
                                               size_.pixels() * sizeof(cl_uint));
         rsh::check(rsh_bound(device_.rsh(), queue, &bound_, 0, nullptr, &bound()), "rsh_bound");
@@ -161,18 +180,28 @@ FrameWork RshTracer::count(const cl::Buffer& rays, size_t active_rays) {
     return work;
 }
 
+template <class T>
+std::vector<T> RshTracer::read(const cl::Buffer& buffer, size_t count) const {
+    std::vector<T> items(count);
+    if (count > 0)
+        device_.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(T), items.data());
+    return items;
+}
+
 std::vector<rsh_hit> RshTracer::hits() const {
-    std::vector<rsh_hit> hits(size_.pixels());
-    device_.queue().enqueueReadBuffer(answers_, CL_TRUE, 0, hits.size() * sizeof(rsh_hit),
-                                      hits.data());
-    return hits;
+    return read<rsh_hit>(answers_, answer_bytes() / sizeof(rsh_hit));
 }
 
 std::vector<cl_uint> RshTracer::occlusion() const {
-    std::vector<cl_uint> masks(size_.pixels());
-    device_.queue().enqueueReadBuffer(answers_, CL_TRUE, 0, masks.size() * sizeof(cl_uint),
-                                      masks.data());
-    return masks;
+    return read<cl_uint>(answers_, size_.pixels());
+}
+
+std::vector<cl_uint> RshTracer::counts() const {
+    return read<cl_uint>(answers_, size_.pixels());
+}
+
+std::vector<cl_ulong> RshTracer::offsets() const {
+    return read<cl_ulong>(offsets_, size_.pixels() + 1);
 }
 
 }  // namespace bench

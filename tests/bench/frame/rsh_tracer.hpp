@@ -36,10 +36,12 @@ struct FrameWork {
 
 class RshTracer {
 public:
-    // `rays` are shadow rays of a point light, traced for occlusion, or any, traced for hits.
-    // Allocates nothing yet: needs() are the buffers of allocate(), which comes before all else.
-    RshTracer(const Device& device, const rsh_geometry& geometry, Size size, bool is_shadow,
+    // With RSH_QUERY_ANY, `rays` are shadow rays of a point light; RSH_QUERY_ALL has room for as many
+    // hits as set_hit_capacity says. Allocates nothing yet: needs() are the buffers of allocate(),
+    // which comes before all else.
+    RshTracer(const Device& device, const rsh_geometry& geometry, Size size, cl_uint query,
               const Column& column);
+    void set_hit_capacity(cl_ulong hits);
 
     std::vector<NamedBytes> needs() const;
     void allocate();
@@ -59,24 +61,30 @@ public:
     size_t mismatches() const;  // of the last frame, in a sample of its active rays; BLOCKS
     FrameWork count(const cl::Buffer& rays, size_t active_rays);
 
-    std::vector<rsh_hit> hits() const;       // of the last frame, unless is_shadow
-    std::vector<cl_uint> occlusion() const;  // of the last frame, if is_shadow
+    // Of the last frame, by the query:
+    std::vector<rsh_hit> hits() const;       // closest, all: as many as there is room for
+    std::vector<cl_uint> occlusion() const;  // any
+    std::vector<cl_uint> counts() const;     // count
+    std::vector<cl_ulong> offsets() const;   // all
     size_t bytes() const { return bytes_; }  // all that a frame needs but rays, hits, geometry
 
 private:
     void find_sizes();
     cl::Buffer own(size_t bytes);
+    size_t answer_bytes() const;
+    bool is_shadow() const { return traverse_.query == RSH_QUERY_ANY; }
+    template <class T>
+    std::vector<T> read(const cl::Buffer& buffer, size_t count) const;
 
     const Device& device_;
     Size size_;
-    bool is_shadow_;
     bool is_refit_;
     size_t bytes_ = 0;
     size_t bounds_bytes_ = 0, nodes_bytes_ = 0, scratch_bytes_ = 0;
     rsh_bound_desc bound_{};
     rsh_build_desc build_{};
     rsh_traverse_desc traverse_{};
-    cl::Buffer bounds_, nodes_, scratch_, answers_;
+    cl::Buffer bounds_, nodes_, scratch_, answers_, offsets_;
 };
 
 }  // namespace bench

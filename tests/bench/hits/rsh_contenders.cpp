@@ -9,7 +9,7 @@ class RshContender final : public Contender {
 public:
     RshContender(const DeviceScene& scene, const Column& column)
         : scene_(scene),
-          tracer_(scene.device(), scene.geometry(), scene.size(), /*is_shadow=*/false, column) {
+          tracer_(scene.device(), scene.geometry(), scene.size(), RSH_QUERY_CLOSEST, column) {
         tracer_.allocate();
         tracer_.set_converging(scene.host().is_converging);
         tracer_.spoil_answers();

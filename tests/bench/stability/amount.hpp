@@ -7,7 +7,7 @@
 
 namespace bench::stability {
 
-constexpr uint32_t kWays = 4;  // grid or list, closest or any
+constexpr uint32_t kWays = 4;  // grid or list; closest and count, or any and all
 
 struct Amount {
     uint32_t side;                    // of the squares of rays

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 
+#include "oracle/crossings/judge_crossings.hpp"
 #include "oracle/lattice.hpp"
 #include "oracle/leaving/inside.hpp"
 
@@ -73,12 +74,18 @@ Expected expected_answers(const Scene& scene, Kind kind, size_t most,
     expected.is_exact = kind == Kind::kLattice;
     expected.answers = expected.is_exact ? oracle::lattice_closest(scene.mesh, rays, skip)
                                          : oracle::closest(scene.mesh, rays, skip, denormals);
+    expected.crossings = expected.is_exact
+                             ? oracle::lattice_crossings(scene.mesh, rays, skip)
+                             : oracle::crossings(scene.mesh, rays, skip, denormals);
+    if (kind == Kind::kClosed || kind == Kind::kThrough)
+        expected.is_inside = kind == Kind::kClosed;
     if (kind == Kind::kClosed)
         for (oracle::Answer& answer : expected.answers) forbid_leak(answer);
     if (kind == Kind::kSpawned) forbid_leaks_from_inside(scene, expected);
     for (size_t k = 0; k < rays.size(); ++k) {
         if (test::is_active(rays[k])) expected.decisions += scene.mesh.triangle_count();
         expected.undecided += expected.answers[k].undecided;
+        expected.undecided_crossings += oracle::count_undecided(expected.crossings[k]);
     }
     expected.twins = find_twins(scene.mesh);
     return expected;

@@ -31,6 +31,7 @@ enum class Kind {
     kAimed,    // at edges, corners, planes: often both answers are right
     kLattice,  // in integers, where only one answer is right
     kClosed,   // aimed, from inside of a closed mesh: a ray without a hit has leaked
+    kThrough,  // aimed, from outside right through closed meshes
     kSpawned,  // of closed meshes: a ray that begins inside and has no hit has leaked
 };
 

@@ -135,7 +135,7 @@ Scene interval_limits(Random& random, Extent e) {
 }
 
 // 100,000 triangles at one t for every ray that meets their plane; a few small ones before them
-// leave it open which is the first. Few rays, as each of them has to look at all.
+// leave it open which is the first. Few rays, as each of them has to look at all, and hits all.
 Scene layers_1e5(Random& random, Extent e) {
     constexpr uint32_t kLayers = 100000;
     const auto around = [&] { return -float(kHalf) * float(1 + random.below(2)); };
@@ -149,7 +149,7 @@ Scene layers_1e5(Random& random, Extent e) {
         const Float3 at(around(), around(), 0);
         mesh.add(at, at + Float3(64, 0, 0), at + Float3(0, 64, 0));
     }
-    const uint32_t side = std::max(e.side / 8, 4u);
+    const uint32_t side = std::clamp(e.side / 8, 4u, 8u);
     test::Rays rays = {{}, side, side};
     for (uint32_t i = 0; i < side * side; ++i) {
         Float3 d = lattice_direction(random), to = lattice_point(random);

@@ -9,11 +9,30 @@
 namespace bench::stability {
 namespace {
 
-// A reference is traced in screen order.
-std::vector<rsh_hit> brute_force(const TracedScene& scene) {
+// Traced in screen order.
+Reference brute_force(const TracedScene& scene, size_t rays) {
     Column column;
     column.engine = RSH_ENGINE_BRUTE_FORCE;
-    return scene.closest(column, false);
+    return {scene.closest(column, false), scene.all(column, false, rays)};
+}
+
+void add_answers(const Scene& scene, const Expected& expected, const Reference& reference,
+                 const TracedScene& on_device, const Variant& variant, Tally& tally) {
+    const auto& [column, is_list, query] = variant;
+    if (query == RSH_QUERY_CLOSEST)
+        tally.add_hits(scene, expected, reference.closest, on_device.closest(column, is_list));
+    else if (query == RSH_QUERY_ANY)
+        tally.add_occlusion(scene, expected, reference.closest, on_device.any(column, is_list));
+    else if (query == RSH_QUERY_COUNT)
+        tally.add_counts(scene, expected, reference.all, on_device.counts(column, is_list));
+    else
+        tally.add_all(scene, expected, reference.all,
+                      on_device.all(column, is_list, reference.all.hits.size()));
+}
+
+const char* name_of_query(cl_uint query) {
+    constexpr const char* kNames[] = {"closest", "any", "count", "all"};
+    return kNames[query];
 }
 
 // Adds to the tallies of those variants whose turn it is.
@@ -30,19 +49,14 @@ Totals run_round(const Device& device, const Family& family, test::Random& rando
         scene, family.kind, amount.judged_rays,
         device.keeps_denormals() ? oracle::Denormals::kKept : oracle::Denormals::kMayBeFlushed);
     const TracedScene on_device(device, scene);
-    const std::vector<rsh_hit> reference = brute_force(on_device);
+    const Reference reference = brute_force(on_device, scene.rays.rays.size());
     const uint64_t pairs = count_pairs(scene);
     Totals totals = {scene.rays.rays.size(), pairs, expected.decisions, expected.undecided};
     for (size_t i = 0; i < variants.size(); ++i) {
-        const auto& [column, is_list, is_any] = variants[i];
         if (!amount.goes(round, variants[i].way())) continue;
         totals.pairs += pairs;
         tallies[i].add_spawned(faults);
-        if (is_any)
-            tallies[i].add_occlusion(scene, expected, reference,
-                                     on_device.any(column, is_list));
-        else
-            tallies[i].add_hits(scene, expected, reference, on_device.closest(column, is_list));
+        add_answers(scene, expected, reference, on_device, variants[i], tallies[i]);
     }
     return totals;
 }
@@ -59,7 +73,7 @@ nlohmann::json params_of(const Family& family, const Variant& variant) {
             {"engine", variant.column.engine_name},
             {"bound", variant.column.bound_name},
             {"rays", variant.is_list ? "list" : "grid"},
-            {"query", variant.is_any ? "any" : "closest"}};
+            {"query", name_of_query(variant.query)}};
 }
 
 std::string case_name(const Family& family, const Variant& variant) {

@@ -17,9 +17,9 @@ namespace bench::stability {
 struct Variant {
     Column column;
     bool is_list;
-    bool is_any;
+    cl_uint query;
 
-    uint32_t way() const { return 2u * is_list + is_any; }
+    uint32_t way() const { return 2u * is_list + query % 2; }
 };
 
 std::string case_name(const Family& family, const Variant& variant);

@@ -130,7 +130,7 @@ std::vector<Family> shape_families() {
             {"invalid_triangles", Kind::kRandom, invalid_triangles},
             {"sizes_apart", Kind::kAimed, sizes_apart},
             {"watertight_inside", Kind::kClosed, watertight_inside},
-            {"watertight_outside", Kind::kAimed, watertight_outside},
+            {"watertight_outside", Kind::kThrough, watertight_outside},
             {"grazing", Kind::kAimed, grazing},
             {"leaving", Kind::kAimed, leaving},
             {"starting", Kind::kAimed, starting},

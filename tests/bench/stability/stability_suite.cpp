@@ -26,8 +26,9 @@ std::vector<Variant> all_variants(const Device& device) {
     std::vector<Variant> variants;
     for (const Column& column : engines(device))
         for (const bool is_list : {false, true})
-            for (const bool is_any : {false, true})
-                variants.push_back({column, is_list, is_any});
+            for (const cl_uint query :
+                 {RSH_QUERY_CLOSEST, RSH_QUERY_ANY, RSH_QUERY_COUNT, RSH_QUERY_ALL})
+                variants.push_back({column, is_list, query});
     return variants;
 }
 

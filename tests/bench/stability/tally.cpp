@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "frame/checksum.hpp"
+#include "oracle/crossings/judge_crossings.hpp"
 #include "oracle/lattice.hpp"
 #include "oracle/leaving/separated.hpp"
 
@@ -74,7 +76,7 @@ uint64_t count_pairs(const Scene& scene) {
 
 void Tally::add_hits(const Scene& scene, const Expected& expected,
                      const std::vector<rsh_hit>& reference, const std::vector<rsh_hit>& hits) {
-    add_scene(scene, expected);
+    add_scene(scene, expected, expected.undecided);
     for (size_t i = 0; i < hits.size(); ++i) {
         differ_ += !is_same(hits[i], reference[i]);
         check_hit(scene, i, hits[i]);
@@ -87,7 +89,7 @@ void Tally::add_hits(const Scene& scene, const Expected& expected,
 void Tally::add_occlusion(const Scene& scene, const Expected& expected,
                           const std::vector<rsh_hit>& reference,
                           const std::vector<cl_uint>& masks) {
-    add_scene(scene, expected);
+    add_scene(scene, expected, expected.undecided);
     for (size_t i = 0; i < masks.size(); ++i)
         differ_ += masks[i] != cl_uint{reference[i].primitive != RSH_NO_HIT};
     for (size_t k = 0; k < expected.rays.size(); ++k)
@@ -103,22 +105,65 @@ void Tally::add_spawned(const SpawnFaults& faults) {
     if (first_fault_.empty()) first_fault_ = faults.first;
 }
 
-void Tally::add_scene(const Scene& scene, const Expected& expected) {
+void Tally::add_counts(const Scene& scene, const Expected& expected, const AllHits& reference,
+                       const std::vector<cl_uint>& counts) {
+    add_scene(scene, expected, expected.undecided_crossings);
+    for (size_t i = 0; i < counts.size(); ++i) {
+        differ_ += counts[i] != reference.count(i);
+        check_parity(scene, expected, i, counts[i]);
+    }
+    for (size_t k = 0; k < expected.rays.size(); ++k)
+        add(oracle::judge_count(expected.crossings[k], counts[expected.rays[k]]),
+            expected.rays[k]);
+    add_hash(checksum(counts));
+}
+
+void Tally::add_all(const Scene& scene, const Expected& expected, const AllHits& reference,
+                    const AllHits& all) {
+    add_scene(scene, expected, expected.undecided_crossings);
+    for (size_t i = 0; i < scene.rays.rays.size(); ++i) {
+        const size_t count = all.count(i);
+        differ_ += count != reference.count(i) ||
+                   !std::equal(all.of(i), all.of(i) + count, reference.of(i), is_same);
+        check_parity(scene, expected, i, count);
+        for (const rsh_hit* hit = all.of(i); hit < all.of(i) + count; ++hit) {
+            nan_out_ += has_nan(*hit);
+            check_self_hit(scene, i, hit->primitive);
+        }
+    }
+    for (size_t k = 0; k < expected.rays.size(); ++k) {
+        const size_t ray = expected.rays[k];
+        add(oracle::judge_all(expected.crossings[k], all.of(ray), all.count(ray)), ray);
+    }
+    add_hash(checksum(all.offsets));
+    add_hash(checksum(all.hits));
+}
+
+void Tally::check_parity(const Scene& scene, const Expected& expected, size_t ray,
+                         uint64_t count) {
+    if (expected.is_inside && test::is_active(scene.rays.rays[ray]))
+        add(oracle::judge_parity(count, *expected.is_inside), ray);
+}
+
+void Tally::add_scene(const Scene& scene, const Expected& expected, uint64_t undecided) {
     rays_ += scene.rays.rays.size();
     pairs_ += count_pairs(scene);
     decisions_ += expected.decisions;
-    undecided_ += expected.undecided;
+    undecided_ += undecided;
+}
+
+void Tally::check_self_hit(const Scene& scene, size_t ray, uint32_t hit) {
+    if (!is_self_hit(scene, ray, hit)) return;
+    ++self_hits_;
+    note(ray, fmt::format("hits {}, which lies behind it as it leaves {}", hit,
+                          scene.rays.skip[ray]));
 }
 
 void Tally::check_hit(const Scene& scene, size_t ray, const rsh_hit& hit) {
     const float tmax = scene.rays.rays[ray].direction_tmax.s[3];
     if (hit.primitive != RSH_NO_HIT) {
         nan_out_ += has_nan(hit);
-        if (is_self_hit(scene, ray, hit.primitive)) {
-            ++self_hits_;
-            note(ray, fmt::format("hits {}, which lies behind it as it leaves {}",
-                                  hit.primitive, scene.rays.skip[ray]));
-        }
+        check_self_hit(scene, ray, hit.primitive);
     } else if (!holds_nothing(hit, tmax)) {
         nan_out_ += has_nan(hit) && !std::isnan(tmax);
         add({Fault::kSpurious, fmt::format("hits nothing at t {}, u {}, v {}: must be {}, 0, 0",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace {
 
@@ -116,6 +117,53 @@ TEST(Tally, TakesAMissInAClosedMeshForALeak) {
     Tally tally;
     tally.add_hits(scene, expected_answers(scene, Kind::kClosed, 100), hits, hits);
     EXPECT_EQ(tally.metrics()["missed"], 1);
+}
+
+// Of the first ray both triangles, at one t; of the second none.
+AllHits both_hits() {
+    return {{0, 2, 2}, {kHit, {2, 0.25f, 0.25f, 1}}};
+}
+
+TEST(Tally, CountsWrongCounts) {
+    const Scene scene = two_rays();
+    const Expected expected = expected_answers(scene, Kind::kRandom, 100);
+    for (const cl_uint first : {1u, 2u, 3u}) {
+        Tally tally;
+        tally.add_counts(scene, expected, both_hits(), {first, 0});
+        EXPECT_EQ(tally.metrics()["missed"], int(first < 2));
+        EXPECT_EQ(tally.metrics()["spurious"], int(first > 2));
+        EXPECT_EQ(tally.metrics()["differ"], int(first != 2));
+        EXPECT_EQ(tally.is_good(Kind::kRandom), first == 2);
+    }
+}
+
+TEST(Tally, CountsWrongLists) {
+    const Scene scene = two_rays();
+    const Expected expected = expected_answers(scene, Kind::kRandom, 100);
+    const auto metrics = [&](const AllHits& all) {
+        Tally tally;
+        tally.add_all(scene, expected, both_hits(), all);
+        return tally.metrics();
+    };
+    EXPECT_EQ(metrics(both_hits())["differ"], 0);
+    EXPECT_EQ(metrics(both_hits())["missed"], 0);
+    const nlohmann::json missed = metrics({{0, 1, 1}, {kHit}});
+    EXPECT_EQ(missed["missed"], 1);
+    EXPECT_EQ(missed["differ"], 1);
+    EXPECT_EQ(metrics({{0, 2, 2}, {{2, 0.25f, 0.25f, 1}, kHit}})["wrong_triangle"], 1);
+    EXPECT_EQ(metrics({{0, 2, 3}, {kHit, {2, 0.25f, 0.25f, 1}, kHit}})["spurious"], 1);
+    EXPECT_EQ(metrics({{0, 2, 2}, {kHit, {NAN, 0.25f, 0.25f, 1}}})["nan_out"], 1);
+}
+
+TEST(Tally, TakesAnOddCountThroughAClosedMeshForAFault) {
+    const Scene scene = two_rays();
+    const AllHits one = {{0, 1, 1}, {kHit}};
+    for (const auto& [kind, count, key] :
+         {std::tuple(Kind::kThrough, 1u, "spurious"), {Kind::kClosed, 2u, "missed"}}) {
+        Tally tally;
+        tally.add_counts(scene, expected_answers(scene, kind, 0), one, {count, count});
+        EXPECT_GE(tally.metrics()[key].get<int>(), 1) << key;
+    }
 }
 
 TEST(Tally, HashesAllRounds) {

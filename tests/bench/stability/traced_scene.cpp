@@ -46,16 +46,24 @@ void TracedScene::show(const std::vector<test::Float3>& vertices, RshTracer& tra
     tracer.set_geometry(geometry_of(vertices.size()));
 }
 
-RshTracer TracedScene::traced(const Column& column, bool is_list, bool is_any) const {
+RshTracer TracedScene::tracer(const Column& column, bool is_list, cl_uint query,
+                              cl_ulong capacity) const {
     const Size size = is_list ? Size{static_cast<cl_uint>(size_.pixels()), 1} : size_;
     Column kept = column;
     kept.is_refit = frames_.size() > 1;
-    RshTracer tracer(device_, largest_, size, is_any, kept);
+    RshTracer tracer(device_, largest_, size, query, kept);
+    if (query == RSH_QUERY_ALL) tracer.set_hit_capacity(capacity);
     tracer.allocate();
     tracer.set_converging(is_converging_);
     tracer.set_skip(skip_);
+    return tracer;
+}
+
+RshTracer TracedScene::traced(const Column& column, bool is_list, cl_uint query,
+                              cl_ulong capacity) const {
+    RshTracer tracer = this->tracer(column, is_list, query, capacity);
     for (const auto& frame : frames_) {
-        if (kept.is_refit) show(frame, tracer);
+        if (frames_.size() > 1) show(frame, tracer);
         tracer.spoil_answers();
         tracer.trace(rays_);
     }
@@ -63,11 +71,25 @@ RshTracer TracedScene::traced(const Column& column, bool is_list, bool is_any) c
 }
 
 std::vector<rsh_hit> TracedScene::closest(const Column& column, bool is_list) const {
-    return traced(column, is_list, false).hits();
+    return traced(column, is_list, RSH_QUERY_CLOSEST).hits();
 }
 
 std::vector<cl_uint> TracedScene::any(const Column& column, bool is_list) const {
-    return traced(column, is_list, true).occlusion();
+    return traced(column, is_list, RSH_QUERY_ANY).occlusion();
+}
+
+std::vector<cl_uint> TracedScene::counts(const Column& column, bool is_list) const {
+    return traced(column, is_list, RSH_QUERY_COUNT).counts();
+}
+
+AllHits TracedScene::all(const Column& column, bool is_list, cl_ulong capacity) const {
+    const RshTracer tracer = traced(column, is_list, RSH_QUERY_ALL, capacity);
+    AllHits all = {tracer.offsets(), {}};
+    const cl_ulong count = all.offsets.back();
+    if (count > capacity) return this->all(column, is_list, count);
+    all.hits = tracer.hits();
+    all.hits.resize(count);
+    return all;
 }
 
 std::vector<Column> engines(const Device& device) {
