@@ -3,6 +3,7 @@
 #include "frame/frame_suite.hpp"
 #include "hits/hits_suite.hpp"
 #include "mirrors/mirrors_suite.hpp"
+#include "parity/parity_suite.hpp"
 #include "programs/programs_suite.hpp"
 #include "reduce/reduce_suite.hpp"
 #include "stability/stability_suite.hpp"
@@ -15,11 +16,12 @@ const std::vector<Suite*>& suites() {
     static FrameSuite frame;
     static HitsSuite hits;
     static MirrorsSuite mirrors;
+    static ParitySuite parity;
     static ProgramsSuite programs;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&budgets,  &frame,  &hits,     &mirrors,
-                                            &programs, &reduce, &stability};
+    static const std::vector<Suite*> all = {&budgets, &frame,    &hits,   &mirrors,
+                                            &parity,  &programs, &reduce, &stability};
     return all;
 }
 
