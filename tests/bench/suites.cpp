@@ -5,6 +5,7 @@
 #include "mirrors/mirrors_suite.hpp"
 #include "parity/parity_suite.hpp"
 #include "programs/programs_suite.hpp"
+#include "queries/queries_suite.hpp"
 #include "reduce/reduce_suite.hpp"
 #include "stability/stability_suite.hpp"
 #include "suite.hpp"
@@ -18,10 +19,11 @@ const std::vector<Suite*>& suites() {
     static MirrorsSuite mirrors;
     static ParitySuite parity;
     static ProgramsSuite programs;
+    static QueriesSuite queries;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&budgets, &frame,    &hits,   &mirrors,
-                                            &parity,  &programs, &reduce, &stability};
+    static const std::vector<Suite*> all = {&budgets,  &frame,   &hits,   &mirrors,  &parity,
+                                            &programs, &queries, &reduce, &stability};
     return all;
 }
 
