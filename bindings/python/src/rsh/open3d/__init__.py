@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from rsh._arrays import on_host, require
 from rsh._context import Context
-from rsh._pinhole import look_at, pinhole_rays
 from rsh._rays import make_rays
 from rsh.constants import NO_HIT
+from rsh.open3d._pinhole import look_at, pinhole_rays
 from rsh.scene import Scene
 
 
