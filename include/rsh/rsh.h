@@ -166,6 +166,7 @@ typedef struct rsh_context_desc {
                                embedded ones */
     rsh_log log;            /* NULL: silence */
     void* log_user;         /* handed to `log`; must live as long as the context */
+    cl_ulong cache_bytes;   /* what programs on disk may take together; 0: 256 MiB */
 } rsh_context_desc;
 
 /* Makes a context. Compiles nothing: a program is built by the first call that needs it, which
@@ -174,11 +175,14 @@ typedef struct rsh_context_desc {
  * Cache:   what a program compiles to may be kept in a folder, which is made for the user alone
  *          (mode 0700), and is loaded from there by later contexts. As it is code that will run,
  *          folder and file must belong to the process's effective user, root being no exception,
- *          and be writable by nobody else; a file must be a regular one of at most 64 MB, whose
+ *          and be writable by nobody else; a file must be a regular one of at most 64 MiB, whose
  *          SHA-256 digest over the binary and what it was made from is the one that it begins
  *          with. A file that is refused is removed and its program compiled anew; with a folder
  *          that is refused all are. The log is told the reason, of the first refusal of a
- *          context.
+ *          context. When a program is stored, the files of rsh in the folder that were used least
+ *          recently, to store or to load, are removed until all fit into `cache_bytes`; a program
+ *          that is larger by itself, or than 64 MiB, is not stored. Any number of contexts, threads
+ *          and processes may use a folder at once; each keeps to its own cap.
  * Errors: RSH_INVALID_VALUE (device is not of the context), RSH_UNSUPPORTED (no OpenCL C 1.2,
  * no compiler, big-endian). Cost: microseconds. */
 RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);

@@ -1,61 +1,19 @@
 // binary_cache_test.cpp - programs on disk: what was stored comes back, anything else is as good as
 // nothing, and no failure gets out.
-#include "device/programs/binary_cache.hpp"
-
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <random>
+#include "device/cache_folders.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using rsh::BinaryCache;
 using std::chrono::hours;
+using test::Binary;
+using test::contents;
+using test::kBinary;
+using test::overwrite;
+using test::set_age;
 
-using Binary = std::vector<unsigned char>;
-const Binary kBinary = {1, 2, 3, 0, 255, 7};
-
-class BinaryCacheTest : public ::testing::Test {
-protected:
-    BinaryCacheTest()
-        : folder_(fs::temp_directory_path() /
-                  ("rsh-binary-cache-" + std::to_string(std::random_device{}()))) {}
-    ~BinaryCacheTest() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
-    BinaryCache cache(uint64_t max_bytes = BinaryCache::kMaxBytes) const {
-        return BinaryCache((folder_ / "made").string(), {nullptr, nullptr}, max_bytes);
-    }
-
-    // The file that storing `key` makes.
-    fs::path file_of(const std::string& key) const {
-        const std::string other = (folder_ / "other").string();
-        BinaryCache(other).store(key, kBinary);
-        const fs::path name = fs::directory_iterator(other)->path().filename();
-        fs::remove_all(other);
-        return folder_ / "made" / name;
-    }
-
-    fs::path folder_;
-};
-
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void overwrite(const fs::path& path, const std::string& data) {
-    std::ofstream(path, std::ios::binary) << data;
-}
-
-void set_age(const fs::path& path, hours age) {
-    fs::last_write_time(path, fs::file_time_type::clock::now() - age);
-}
+class BinaryCacheTest : public test::CacheFolders {};
 
 TEST_F(BinaryCacheTest, FindsInAnotherProcessWhatWasStored) {
     EXPECT_FALSE(cache().load("key"));
@@ -102,26 +60,12 @@ TEST_F(BinaryCacheTest, IgnoresAFileWithAnyOtherByte) {
     }
 }
 
-TEST_F(BinaryCacheTest, EvictsWhatWasUsedLeastRecentlyAboveItsCap) {
-    cache().store("a", kBinary);
-    const uint64_t bytes = fs::file_size(file_of("a"));
-    for (const char* key : {"b", "c"}) cache().store(key, kBinary);
-    set_age(file_of("a"), hours(4));
-    set_age(file_of("b"), hours(3));
-    set_age(file_of("c"), hours(2));
-    EXPECT_TRUE(cache().load("a")) << "and so it is the one used last";
-    cache(4 * bytes).store("d", kBinary);
-    for (const char* key : {"a", "b", "c", "d"}) EXPECT_TRUE(fs::exists(file_of(key))) << key;
-    cache(3 * bytes).store("d", kBinary);
-    EXPECT_FALSE(fs::exists(file_of("b")));
-    for (const char* key : {"a", "c", "d"}) EXPECT_TRUE(fs::exists(file_of(key))) << key;
-}
-
 TEST_F(BinaryCacheTest, EvictsItsOwnTemporaryFilesAfterAnHour) {
     cache().store("key", kBinary);
     const fs::path made = folder_ / "made";
-    const fs::path orphan = made / "0123456789abcdef.rshbin.4711.0.tmp";
-    const fs::path young = made / "0123456789abcdef.rshbin.4711.1.tmp";
+    const std::string name = file_of("key").string();
+    const fs::path orphan = name + ".4711.0.tmp";
+    const fs::path young = name + ".4711.1.tmp";
     const fs::path foreign = made / "letter.tmp";
     for (const fs::path& path : {orphan, young, foreign}) overwrite(path, "half");
     for (const fs::path& path : {orphan, foreign}) set_age(path, hours(2));

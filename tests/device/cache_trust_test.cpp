@@ -57,9 +57,7 @@ protected:
         fs::remove_all(above_, ignored);
     }
 
-    BinaryCache cache(uint64_t max_bytes = BinaryCache::kMaxBytes) {
-        return BinaryCache(folder_.string(), {keep_line, &lines_}, max_bytes);
-    }
+    BinaryCache cache() { return BinaryCache(folder_.string(), {keep_line, &lines_}); }
 
     // The file that holds the one program there is.
     fs::path stored() {

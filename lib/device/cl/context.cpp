@@ -67,7 +67,8 @@ Context::Context(const rsh_context_desc& desc)
       vector_width(checked_width(desc.vector_width, caps)),
       log(desc.log, desc.log_user),
       programs(desc.context, device, caps, log, caps.build_options(vector_width),
-               BinaryCache::folder_for(desc.cache_dir), kernel_folder(desc.kernel_dir)),
+               {BinaryCache::folder_for(desc.cache_dir), desc.cache_bytes,
+                kernel_folder(desc.kernel_dir)}),
       pool(desc.context),
       wrong_buffers_(zeroed_word(desc.context)) {}
 

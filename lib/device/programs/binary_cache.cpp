@@ -28,6 +28,18 @@ bool ends_with(const std::string& text, const std::string& end) {
            text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+constexpr size_t kDigits = 2 * sizeof(Sha256::Digest);
+
+// `name` is a digest and what follows it. Other files in the folder are not ours to touch.
+bool is_ours(const std::string& name) {
+    return name.size() > kDigits && name.find_first_not_of("0123456789abcdef") == kDigits &&
+           name.compare(kDigits, std::strlen(kSuffix), kSuffix) == 0;
+}
+
+bool is_program(const CacheFolder::File& file) {
+    return is_ours(file.name) && file.name.size() == kDigits + std::strlen(kSuffix);
+}
+
 std::string name_of(const std::string& key) {
     Sha256 sum;
     sum.add(key.data(), key.size());
@@ -51,26 +63,26 @@ Sha256::Digest digest_of(const std::string& key, const unsigned char* binary, si
     return sum.digest();
 }
 
-// Other files in the folder are not ours to touch.
 bool is_orphan(const CacheFolder::File& file) {
-    if (!ends_with(file.name, kTemporarySuffix)) return false;
-    if (file.name.find(std::string(kSuffix) + ".") == std::string::npos) return false;
+    if (!is_ours(file.name) || !ends_with(file.name, kTemporarySuffix)) return false;
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::seconds(file.used) < now - kOrphanAge;
+    return std::chrono::nanoseconds(file.used) < now - kOrphanAge;
 }
 
+// What another process removes meanwhile counts as removed here: both choose the same files.
 void evict(const CacheFolder& folder, uint64_t max_bytes) {
-    std::vector<CacheFolder::File> files = folder.files();
+    std::vector<CacheFolder::File> programs;
     uint64_t total = 0;
-    for (const CacheFolder::File& file : files) {
+    for (CacheFolder::File& file : folder.files()) {
         if (is_orphan(file)) folder.remove(file.name);
-        if (ends_with(file.name, kSuffix)) total += file.bytes;
+        if (!is_program(file)) continue;
+        total += file.bytes;
+        programs.push_back(std::move(file));
     }
-    std::sort(files.begin(), files.end(),
+    std::sort(programs.begin(), programs.end(),
               [](const auto& a, const auto& b) { return a.used < b.used; });
-    for (const CacheFolder::File& file : files) {
+    for (const CacheFolder::File& file : programs) {
         if (total <= max_bytes) return;
-        if (!ends_with(file.name, kSuffix)) continue;
         folder.remove(file.name);
         total -= file.bytes;
     }
@@ -123,7 +135,7 @@ std::optional<std::vector<unsigned char>> BinaryCache::read(const std::string& k
     if (!folder) return {};
     const std::string name = name_of(key);
     try {
-        auto all = folder->read(name, max_bytes_ + kHeaderBytes);
+        auto all = folder->read(name, kMaxFileBytes);
         if (!all) return {};
         const size_t bytes = all->size() - std::min(all->size(), kHeaderBytes);
         const Sha256::Digest digest = digest_of(key, all->data() + all->size() - bytes, bytes);
@@ -142,8 +154,9 @@ std::optional<std::vector<unsigned char>> BinaryCache::read(const std::string& k
 
 void BinaryCache::write(const std::string& key,
                         const std::vector<unsigned char>& binary) const {
+    if (binary.size() + kHeaderBytes > std::min(max_bytes_, kMaxFileBytes)) return;
     const auto folder = CacheFolder::make(folder_);
-    if (!folder || binary.size() > max_bytes_) return;
+    if (!folder) return;
     const Sha256::Digest digest = digest_of(key, binary.data(), binary.size());
     std::vector<unsigned char> contents(kHeaderBytes + binary.size());
     std::memcpy(contents.data(), kMagic, sizeof kMagic);

@@ -38,6 +38,10 @@ struct stat checked(const std::string& path, int descriptor) {
     return found;
 }
 
+int64_t nanoseconds(const timespec& time) {
+    return int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
 // Of `bytes` from where the file is.
 bool read_all(int file, unsigned char* to, size_t bytes) {
     while (bytes > 0) {
@@ -149,7 +153,7 @@ std::vector<CacheFolder::File> CacheFolder::files() const {
         if (fstatat(folder_.get(), entry->d_name, &is, AT_SYMLINK_NOFOLLOW) != 0) continue;
         if (!S_ISREG(is.st_mode)) continue;
         found.push_back(
-            {entry->d_name, int64_t{is.st_mtime}, static_cast<uint64_t>(is.st_size)});
+            {entry->d_name, nanoseconds(is.st_mtim), static_cast<uint64_t>(is.st_size)});
     }
     return found;
 }

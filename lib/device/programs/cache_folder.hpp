@@ -37,7 +37,7 @@ class CacheFolder {
 public:
     struct File {
         std::string name;
-        int64_t used;  // seconds since 1970
+        int64_t used;  // nanoseconds since 1970
         uint64_t bytes;
     };
 

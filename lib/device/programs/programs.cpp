@@ -86,15 +86,14 @@ void IdleKernels::give_back(Kernel kernel) noexcept {
 }
 
 Programs::Programs(cl_context context, cl_device_id device, const DeviceCaps& caps,
-                   const Log& log, std::string options, std::string cache_folder,
-                   std::string kernel_folder)
+                   const Log& log, std::string options, ProgramFolders folders)
     : log_(log),
       context_(context),
       device_(device),
       identity_(caps.identity),
       options_(std::move(options)),
-      kernel_folder_(std::move(kernel_folder)),
-      cache_(std::move(cache_folder), log) {}
+      kernel_folder_(std::move(folders.kernels)),
+      cache_(std::move(folders.cache), log, folders.cache_bytes) {}
 
 Programs::~Programs() = default;
 

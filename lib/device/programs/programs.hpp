@@ -25,6 +25,13 @@ struct KernelName {
     std::string options = {};
 };
 
+// Where programs come from and are kept.
+struct ProgramFolders {
+    std::string cache;     // "": none
+    uint64_t cache_bytes;  // see BinaryCache
+    std::string kernels;   // "": the embedded files
+};
+
 using BuiltProgram = Handle<cl_program>;
 
 // Kernel objects of one kernel that no call holds at the moment.
@@ -58,7 +65,7 @@ private:
 class Programs {
 public:
     Programs(cl_context context, cl_device_id device, const DeviceCaps& caps, const Log& log,
-             std::string options, std::string cache_folder, std::string kernel_folder);
+             std::string options, ProgramFolders folders);
     ~Programs();
 
     BorrowedKernel borrow(const KernelName& name);
