@@ -54,7 +54,8 @@
  *              both work. A wait list with an event that has failed is refused, with
  *              CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST; when one fails later, the call's
  *              commands and *done fail with it. rsh_frame, rsh_get_statistics, rsh_device_status,
- *              rsh_device_selftest and rsh_create_context may block, and say so.
+ *              rsh_device_selftest, rsh_create_context, rsh_prepare, rsh_wait_prepared and
+ *              rsh_release_context may block, and say so.
  *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no
  *              buffer: those may be NULL or too small. It does no device work.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the
@@ -148,8 +149,8 @@ typedef struct rsh_context_s* rsh_context;
 
 /* Called with one line about what a call does that takes long or falls back: a program compiled
  * or loaded from disk and how long that took, a program on disk that was refused, a strategy that
- * the self-test masked. From the calling thread, which may be any and several at once; must not
- * call rsh on that context. The text is gone when it returns. What it throws, as other callbacks
+ * the self-test masked. From the calling thread, which may be any and several at once, or that of
+ * rsh_prepare; must not call rsh on that context. The text is gone when it returns. What it throws, as other callbacks
  * do, ends the call with RSH_INTERNAL_ERROR. */
 typedef void (*rsh_log)(const char* message, void* user);
 
@@ -188,8 +189,9 @@ typedef struct rsh_context_desc {
 RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);
 
 /* Frees a context made by rsh_create_context, its programs and its scratch memory, once the
- * commands enqueued by its calls have finished; does not wait for them. While counting, the
- * library must stay loaded until then. NULL is ignored. */
+ * commands enqueued by its calls have finished; does not wait for them, but BLOCKS for a program that
+ * rsh_prepare is compiling in the background. While counting, the library must stay loaded until
+ * the commands have finished. NULL is ignored. */
 RSH_API void rsh_release_context(rsh_context context);
 
 /* Picks a device, for programs that have no context of their own: the first whose name, or
@@ -1114,6 +1116,59 @@ typedef struct rsh_selftest {
  * arithmetic wrong, is not an error. Call it before the queries that its outcome may change. */
 RSH_API rsh_status rsh_device_selftest(rsh_context context, cl_command_queue queue,
                                        rsh_selftest* report);
+
+/* ---- programs before they are needed ---- */
+
+/* The calls that will be made; of each kind that will not be, NULL. */
+typedef struct rsh_prepare_desc {
+    size_t struct_size;
+    const rsh_rasterize_desc* rasterize;
+    const rsh_bound_desc* bound;
+    const rsh_build_desc* build;
+    const rsh_traverse_desc* traverse;
+    const rsh_trace_desc* trace;
+    const rsh_audit_desc* audit;
+    const rsh_spawn_desc* spawn;
+    const rsh_spawn_wave_desc* spawn_wave;
+    const rsh_gather_wave_desc* gather_wave;
+    const rsh_shadow_desc* shadow;
+    const rsh_find_surfaces_desc* find_surfaces;
+    const rsh_shade_desc* shade;
+    const rsh_frame_desc* frame;
+    const rsh_reduce_desc* reduce;
+    cl_bool background;    /* CL_TRUE: on a thread of the context's                          */
+    rsh_progress progress; /* before each program, with how many are done and how many there
+                              are, and after the last one; on the thread that compiles; must
+                              not call rsh on that context. Nonzero leaves out the rest:
+                              RSH_CANCELLED. NULL: none                                      */
+    void* progress_user;   /* in the background it must live until rsh_wait_prepared         */
+} rsh_prepare_desc;
+
+/* Compiles the programs that these calls will need, or loads them from disk, so that the calls do
+ * not: with the same descriptors they build none.
+ *
+ * Reads:   what a call's query reads, and which optional buffers are NULL; a buffer that is not
+ *          made yet stands for itself by any value that is not NULL. Everything is read before
+ *          this returns. The descriptors' own `progress` is not called. A strategy that is left to
+ *          the library, and what the self-test masked, are as of now.
+ * Threads: in the background, programs are compiled one after the other on one thread of the
+ *          context's, in the order of the calls of rsh_prepare. Every other call works meanwhile; one
+ *          that needs a program that is being compiled waits for it, one whose program is still to come
+ *          compiles it itself. rsh_release_context waits for the program that is being compiled and
+ *          leaves out the rest; it, or rsh_wait_prepared, must have returned before the process
+ *          ends.
+ * Errors:  as the calls' queries, of a struct_size by the member's name. A program that fails to
+ *          compile does not keep the others from it; the first failure is returned, in the background
+ *          by rsh_wait_prepared, and the call that needs the program meets it again. RSH_OUT_OF_MEMORY
+ *          also where no thread can be started.
+ * Cost:    BLOCKS until all are compiled, in the background for less than a millisecond. Some drivers
+ *          (PoCL) finish a kernel for a size of work-groups only when it is first launched; that is
+ *          left to the call. */
+RSH_API rsh_status rsh_prepare(rsh_context context, const rsh_prepare_desc* desc);
+
+/* BLOCKS until the context's thread has compiled what was left to it; returns its first failure since the
+ * last time, or success, also when there was nothing to do. */
+RSH_API rsh_status rsh_wait_prepared(rsh_context context);
 
 /* The RSH_SHAPE_... that an engine takes, which rsh_bound and rsh_build must be told as well;
  * RSH_SHAPE_DEFAULT for RSH_ENGINE_DEFAULT, for one that takes none, and for what is none. */

@@ -41,8 +41,9 @@ constexpr bool kHasScene<Desc, std::void_t<decltype(Desc::scene)>> = true;
 template <class Desc>
 class Received {
 public:
-    explicit Received(const Desc* callers) {
-        check_struct(callers, "desc", "struct_size");
+    explicit Received(const Desc* callers, const char* name = "desc",
+                      const char* size_field = "struct_size") {
+        check_struct(callers, name, size_field);
         desc_ = widened(callers);
         if constexpr (kHasScene<Desc>) take_scene();
     }

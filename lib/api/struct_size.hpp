@@ -46,6 +46,7 @@ RSH_FIRST_VERSION(rsh_find_surfaces_desc, list_count);
 RSH_FIRST_VERSION(rsh_shade_desc, colour);
 RSH_FIRST_VERSION(rsh_frame_desc, audit);
 RSH_FIRST_VERSION(rsh_reduce_desc, scratch);
+RSH_FIRST_VERSION(rsh_prepare_desc, progress_user);
 RSH_FIRST_VERSION(rsh_selftest, first_failure);
 #undef RSH_FIRST_VERSION
 

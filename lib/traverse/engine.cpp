@@ -14,9 +14,8 @@ void traverse(Recorder& recorder, const rsh_traverse_desc& desc) {
         list_hits(recorder, desc);
     else
         find_engine(desc.engine).traverse(recorder, desc);
-    StatisticsLog& statistics = recorder.context().statistics;
-    if (!statistics.enabled()) return;
-    statistics.add([](rsh_statistics& sums) { ++sums.traversals; });
+    if (!recorder.context().statistics.enabled()) return;
+    recorder.count([](rsh_statistics& sums) { ++sums.traversals; });
     recorder.count_later(
         recorder.wrong_buffers(), 1,
         [](rsh_statistics& sums, const cl_uint* bits) { sums.wrong_buffers |= *bits; });

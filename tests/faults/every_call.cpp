@@ -283,6 +283,15 @@ void EveryCall::add_blocking(std::vector<Call>& calls) const {
                          return rsh_get_statistics(rsh_.get(), &sums);
                      },
                      traverse_counted, stop});
+    calls.push_back({"rsh_prepare", [=] {
+                         const rsh_traverse_desc traverse = valid_.traverse();
+                         rsh_prepare_desc desc = {};
+                         desc.struct_size = sizeof desc;
+                         desc.frame = &counted_frame;
+                         desc.traverse = &traverse;
+                         return rsh_prepare(rsh_.get(), &desc);
+                     }});
+    calls.push_back({"rsh_wait_prepared", [this] { return rsh_wait_prepared(rsh_.get()); }});
     calls.push_back({"rsh_device_status",
                      [this] { return rsh_device_status(rsh_.get(), queue_()); }, [] {},
                      [this] { finish(); }});

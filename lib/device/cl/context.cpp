@@ -70,7 +70,8 @@ Context::Context(const rsh_context_desc& desc)
                {BinaryCache::folder_for(desc.cache_dir), desc.cache_bytes,
                 kernel_folder(desc.kernel_dir)}),
       pool(desc.context),
-      wrong_buffers_(zeroed_word(desc.context)) {}
+      wrong_buffers_(zeroed_word(desc.context)),
+      preparer(programs) {}
 
 cl_device_id find_device(const char* name) {
     if (!name) name = std::getenv("RSH_DEVICE");

@@ -11,6 +11,7 @@
 #include "device/cl/under_way.hpp"
 #include "device/log.hpp"
 #include "device/objects/handle.hpp"
+#include "device/programs/preparer.hpp"
 #include "device/programs/programs.hpp"
 
 namespace rsh {
@@ -36,6 +37,9 @@ public:
 
 private:
     Buffer wrong_buffers_;
+
+public:
+    Preparer preparer;  // the last one: ends before what it uses
 };
 
 // RSH_DEVICE or `name` as a substring of platform or device; see rsh_find_device.

@@ -18,6 +18,14 @@ Recorder::Recorder(Context& context, const Submission& submission, cl_event* don
         callers_.push_back(Event::retained(submission.wait_list[i]));
 }
 
+Recorder::Recorder(Context& context, NeededPrograms& needed)
+    : context_(context),
+      queue_(nullptr),
+      done_(nullptr),
+      wrong_buffers_(context.wrong_buffers()),
+      needed_(&needed),
+      call_(1) {}
+
 // Also after a failure in the middle: what was enqueued may still use the blocks.
 Recorder::~Recorder() {
     const cl_event last = last_command();
@@ -89,7 +97,7 @@ Range stream_range(const Context& context, size_t most) {
 }
 
 void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset) {
-    if (bytes == 0) return;
+    if (bytes == 0 || only_notes()) return;
     const Waits waits = prepare();
     Event event;
     require_success(
@@ -99,7 +107,12 @@ void Recorder::fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, si
     record(stage, std::move(event));
 }
 
+void Recorder::count(const std::function<void(rsh_statistics&)>& change) {
+    if (!only_notes()) context_.statistics.add(change);
+}
+
 void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use) {
+    if (only_notes()) return;
     HostRead read(queue_, buffer, word_count, prepare());
     continue_after(read.share_event());
     context_.statistics.add_read({std::move(read), std::move(use)});
@@ -111,6 +124,7 @@ void Recorder::own_wrong_buffers(cl_mem word) {
 }
 
 void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {
+    if (only_notes()) return;
     const Waits waits = prepare();
     Event event;
     require_success(opencl(queue_).clEnqueueCopyBuffer(queue_, from, to, 0,
@@ -127,6 +141,7 @@ void Recorder::wait_for_callers() {
 }
 
 std::vector<cl_uint> Recorder::read_now(cl_mem buffer, size_t word_count) {
+    if (only_notes()) return std::vector<cl_uint>(word_count);
     HostRead read(queue_, buffer, word_count, prepare());
     record(RSH_STAGE_OTHER, read.share_event());
     require_success(opencl(queue_).clFlush(queue_), "clFlush");

@@ -1,10 +1,12 @@
 // recorder.hpp - enqueues one call's work: borrows kernels, sets their arguments, launches them
-// in order, keeps their events. The only code that enqueues anything.
+// in order, keeps their events. The only code that enqueues anything. Or notes only which programs
+// the call would need.
 #pragma once
 
 #include <rsh/rsh.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "device/cl/context.hpp"
@@ -30,7 +32,10 @@ public:
     // `done` may be NULL. The destructor sets *done to the last command, also after a failure
     // in the middle, so that the caller learns when its buffers are free again.
     Recorder(Context& context, const Submission& submission, cl_event* done);
+    // Enqueues nothing, borrows nothing and looks at no buffer; counts on the device are read as 0.
+    Recorder(Context& context, NeededPrograms& needed);
     ~Recorder();
+    bool only_notes() const { return needed_ != nullptr; }
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
@@ -42,6 +47,7 @@ public:
     void launch(cl_uint stage, const KernelName& name, const Range& range,
                 const Arguments&... arguments) {
         if (range.items == 0) return;
+        if (needed_) return needed_->add(name);
         BorrowedKernel kernel = context_.programs.borrow(name);
         cl_uint index = 0;
         (set_argument(kernel.get(), index++, arguments), ...);
@@ -62,6 +68,8 @@ public:
 
     // Sets `bytes` of `buffer` from `offset` on (multiples of 4) to a repeated word.
     void fill(cl_uint stage, cl_mem buffer, cl_uint word, size_t bytes, size_t offset = 0);
+    // Changes the statistics at once.
+    void count(const std::function<void(rsh_statistics&)>& change);
     // Adds words from the front of `buffer` to the statistics, once they arrived.
     void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
     // Copies a word of `from` to the word `index` of `to`.
@@ -107,8 +115,9 @@ private:
     cl_command_queue queue_;
     cl_event* done_;
     cl_mem wrong_buffers_;
-    std::vector<Event> callers_;  // the wait list
-    UnderWay::Calls call_;        // this one, with its commands
+    NeededPrograms* needed_ = nullptr;  // where there is one, nothing is enqueued
+    std::vector<Event> callers_;        // the wait list
+    UnderWay::Calls call_;              // this one, with its commands
     std::vector<ScratchBlock> blocks_;
 };
 

@@ -21,6 +21,8 @@ public:
     cl_mem find(std::string_view name) const;
 
 private:
+    void take_stand_ins(cl_mem buffer);
+
     Layout layout_;
     std::vector<Buffer> buffers_;  // of its parts
 };

@@ -12,13 +12,15 @@ struct Span {
 };
 
 inline Span span_of(cl_mem memory) {
+    if (!memory) return {nullptr, 0};
     const cl_mem parent = info<cl_mem>(memory, CL_MEM_ASSOCIATED_MEMOBJECT);
     if (!parent) return {memory, 0};
     return {parent, info<size_t>(memory, CL_MEM_OFFSET)};
 }
 
-// A part of it, as a buffer of its own.
+// A part of it, as a buffer of its own; none of none.
 inline Buffer part_of(const Span& span, size_t offset, size_t bytes) {
+    if (!span.root) return {};
     const cl_buffer_region region = {span.offset + offset, bytes};
     cl_int status = CL_SUCCESS;
     Buffer part(opencl(span.root).clCreateSubBuffer(

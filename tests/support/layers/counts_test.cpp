@@ -111,6 +111,24 @@ TEST_P(Counts, MakeNothingAfterTheFirstFrame) {
     for (int frame = 0; frame < 2; ++frame) expect_nothing_made(gallery.render());
 }
 
+TEST_P(Counts, CompileNothingInTheFirstFrameWhenItWasPrepared) {
+    Gallery gallery(GetParam(), 2);
+    rsh_prepare_desc prepare = {};
+    prepare.struct_size = sizeof prepare;
+    prepare.frame = &gallery.desc;
+    const Since begin;
+    RSH_CHECK(rsh_prepare(gallery.context.get(), &prepare));
+    const rsh_counts prepared = begin.now();
+    EXPECT_GT(prepared.compiles + prepared.binary_builds, 0u);
+    EXPECT_EQ(prepared.launches + prepared.fills + prepared.copies + prepared.waits, 0u);
+    EXPECT_EQ(prepared.buffers + prepared.sub_buffers, 0u);
+    EXPECT_EQ(gallery.waves, 0u);
+    const rsh_counts first = gallery.render();
+    EXPECT_EQ(first.compiles, 0u);
+    EXPECT_EQ(first.binary_builds, 0u);
+    EXPECT_GT(first.launches, 0u);
+}
+
 TEST_P(Counts, MakeNothingWhileBoundsAreRefitted) {
     Gallery gallery(GetParam(), 1);
     rsh_bound_desc bound = {};

@@ -1,0 +1,22 @@
+// prepare.hpp - rsh_prepare in tests: an empty descriptor, and how many programs there are.
+#pragma once
+
+#include "support/device.hpp"
+
+namespace test {
+
+inline rsh_prepare_desc prepare_desc() {
+    rsh_prepare_desc desc = {};
+    desc.struct_size = sizeof desc;
+    return desc;
+}
+
+// Compiled or loaded so far.
+inline cl_ulong programs_of(rsh_context context) {
+    rsh_statistics sums = {};
+    sums.struct_size = sizeof sums;
+    RSH_CHECK(rsh_get_statistics(context, &sums));
+    return sums.programs_built + sums.programs_loaded;
+}
+
+}  // namespace test
