@@ -69,6 +69,18 @@ TEST_F(Prepare, LeavesNothingToCompileToTheQueriesOfEachEngine) {
             }
 }
 
+// The same file, with and without the filter of masks.
+TEST_F(Prepare, TellsTheVariantsOfAProgramApart) {
+    const rsh_traverse_desc traverse = valid_.traverse();
+    rsh_trace_desc trace = valid_.trace();
+    trace.ray_masks = valid_.words.get();
+    rsh_prepare_desc prepare = prepare_desc();
+    prepare.traverse = &traverse;
+    prepare.trace = &trace;
+    RSH_CHECK(rsh_prepare(own_.get(), &prepare));
+    EXPECT_EQ(programs_of(own_.get()), 2u);
+}
+
 TEST_F(Prepare, AsksForNoBuffer) {
     rsh_trace_desc trace = valid_.trace();
     trace.geometry.vertices = trace.geometry.indices = nullptr;
