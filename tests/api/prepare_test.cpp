@@ -35,7 +35,7 @@ protected:
         prepares(name, &rsh_prepare_desc::frame, frame, rsh_frame);
     }
 
-    const test::ValidCalls valid_;
+    test::ValidCalls valid_;
     const test::OwnContext own_;
 };
 

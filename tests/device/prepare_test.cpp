@@ -21,7 +21,7 @@ using test::programs_of;
 
 class PrepareInBackground : public ::testing::Test {
 protected:
-    const test::ValidCalls valid_;
+    test::ValidCalls valid_;
     const test::OwnContext own_;
 };
 
