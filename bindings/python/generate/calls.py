@@ -103,6 +103,8 @@ class Call:
             return "bool", [f"return bool({call})"]
         if kind.type != "rsh_status":
             return "int", [f"return int({call})"]
+        if self.keywords and not self.results:
+            return "None", [f"_call.run(_{self.short()}, context, desc)"]
         checked = f"_call.checked({call})"
         if not self.results:
             return "None", [checked]

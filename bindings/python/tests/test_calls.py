@@ -1,5 +1,7 @@
 """The functions of rsh.h on pyopencl's arrays."""
 
+import gc
+
 import numpy as np
 import pyopencl as cl
 import pyopencl.array as cla
@@ -118,3 +120,28 @@ def test_names_statistics_and_the_self_test(context, queue, mesh):
     assert statistics.traversals == 1
     assert rsh.device_selftest(context, queue).wrong_arithmetic == 0
     rsh.device_status(context, queue)
+
+
+def prepare(context, progress, background):
+    """Prepare a reduction; nobody else keeps the callback."""
+    rsh.prepare(
+        context,
+        reduce=rsh.structs.ReduceDesc(count=1000, element_bytes=4, strategy=rsh.STRATEGY_CHUNK),
+        background=background,
+        progress=progress,
+    )
+
+
+def test_programs_are_prepared_in_the_background():
+    told = []
+    with rsh.Context(cache_dir="") as context:
+        prepare(context, lambda done, count: told.append((done, count)), True)
+        gc.collect()
+        rsh.wait_prepared(context)
+    assert told
+    assert told[-1] == (len(told) - 1, len(told) - 1)
+
+
+def test_what_progress_raises_is_raised_by_prepare(context):
+    with pytest.raises(ZeroDivisionError):
+        prepare(context, lambda done, count: 1 // 0, False)

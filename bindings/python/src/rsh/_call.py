@@ -57,6 +57,13 @@ def enqueue(
     return event
 
 
+def run(function: Callable[..., int], context: Context, desc: Struct) -> None:
+    """Make a call that enqueues nothing, and may go on to call back from a thread of the context."""
+    if desc.calls_back():
+        context.keep_until_release(desc)
+    checked(function(context.handle, ct.byref(desc)), desc)
+
+
 def decoded(text: bytes | None) -> str | None:
     """Return a name of the library as str."""
     return None if text is None else text.decode()

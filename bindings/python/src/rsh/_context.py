@@ -64,6 +64,8 @@ class Context:
         Kernel sources, while developing.
     log : callable, optional
         Is told, as a str, what takes long or falls back.
+    cache_bytes : int, optional
+        What the folder of compiled programs may take; 0: 256 MiB.
 
     Attributes
     ----------
@@ -87,8 +89,10 @@ class Context:
         cache_dir: str | None = None,
         kernel_dir: str | None = None,
         log: Callable[[str], object] | None = None,
+        cache_bytes: int = 0,
     ) -> None:
         self._handle = ct.c_void_p()
+        self._kept: list[object] = []
         if context is None:
             device = device or find_device()[1]
             context = cl.Context([device])
@@ -102,6 +106,7 @@ class Context:
             cache_dir=cache_dir,
             kernel_dir=kernel_dir,
             log=log,
+            cache_bytes=cache_bytes,
         )
         check(_create(ct.byref(self._desc), ct.byref(self._handle)))
 
@@ -114,6 +119,7 @@ class Context:
         """Free programs and scratch memory once what was enqueued has ended, without waiting."""
         released, self._handle = self._handle, ct.c_void_p()
         _release(released)
+        self._kept.clear()
 
     def __enter__(self) -> "Context":
         return self
@@ -123,6 +129,10 @@ class Context:
 
     def __del__(self) -> None:
         self.release()
+
+    def keep_until_release(self, kept: object) -> None:
+        """Keep an object that the library may call as long as the context is there."""
+        self._kept.append(kept)
 
     def keep(self, event: cl.Event, kept: object) -> None:
         """Keep an object until the event has ended, which later calls find out.

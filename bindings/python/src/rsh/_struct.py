@@ -47,6 +47,10 @@ class Struct(ct.Structure):
         except TypeError as error:
             raise TypeError(f"{type(self).__name__}.{name}: {error}") from None
 
+    def calls_back(self) -> bool:
+        """Whether a member is a function of Python's that may report progress."""
+        return "progress" in self.__dict__["_kept"]
+
     def __repr__(self) -> str:
         members = (f"{name}={getattr(self, name)!r}" for name in sorted(self._names_))
         return f"{type(self).__name__}({', '.join(members)})"
