@@ -165,7 +165,8 @@ static void scale_across(ray_space_corners* s, floatv scale)
 static void place_hits(sheared_rays r, const ray_space_corners* s, const floatv* edge,
                        floatv area, lane_hits* hits)
 {
-    const floatv zero = (floatv)(0.0f), inverse = (floatv)(1.0f) / area;
+    const floatv zero = (floatv)(0.0f);
+    const floatv inverse = (floatv)(1.0f) / area;
     for (uint i = 0; i < 3; ++i) hits->weight[i] = edge[i] * inverse;
     const floatv depth =
         hits->weight[0] * s->az + hits->weight[1] * s->bz + hits->weight[2] * s->cz;
