@@ -30,10 +30,9 @@
  *              structs of rsh_types.h have no struct_size and never change size; their
  *              `reserved` words must be 0. Host data that descriptors point at (a scene, a wait
  *              list) is read before the call returns.
- *              Planned, so that nothing has to move: at the end of
- *              rsh_scene offset and stride of texture coordinates; of rsh_frame_desc and
- *              rsh_rasterize_desc a window of the picture. In reserved words of rsh_geometry 16-bit
- *              indices; of rsh_camera, rsh_material, rsh_light and rsh_texture what stands beside them.
+ *              Planned, so that nothing has to move: at the end of rsh_scene offset and stride of
+ *              texture coordinates. In reserved words of rsh_geometry 16-bit indices; of rsh_camera,
+ *              rsh_material, rsh_light and rsh_texture what stands beside them.
  *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
  *              they were made for, and a traversal looks at that on the device. Where bounds or
  *              nodes were made for another shape, another number of triangles, a screen or list
@@ -150,8 +149,8 @@ typedef struct rsh_context_s* rsh_context;
 /* Called with one line about what a call does that takes long or falls back: a program compiled
  * or loaded from disk and how long that took, a program on disk that was refused, a strategy that
  * the self-test masked. From the calling thread, which may be any and several at once, or that of
- * rsh_prepare; must not call rsh on that context. The text is gone when it returns. What it throws, as other callbacks
- * do, ends the call with RSH_INTERNAL_ERROR. */
+ * rsh_prepare; must not call rsh on that context. The text is gone when it returns. What it throws,
+ * as other callbacks do, ends the call with RSH_INTERNAL_ERROR. */
 typedef void (*rsh_log)(const char* message, void* user);
 
 typedef struct rsh_context_desc {
@@ -623,9 +622,10 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          component of more than 2^-128. Where the device flushes denormals (rsh_selftest), the
  *          same may hold of directions without a component of 2^-126, and of those with one above
  *          2^126. May be missed: triangles with a corner 2^126 or more away from the ray's origin
- *          in a component; by closest and any, needles whose area, as the ray sees them, is less than 2^-62 of the
- *          square of their largest edge: they count as seen edge-on. So does a triangle with one
- *          corner near 1 and another beyond 2^62.
+ *          in a component; by closest and any, needles whose area, as the ray sees them, is less
+ *          than 2^-62 of the square of their largest edge: they count as seen edge-on. So does a
+ *          triangle with one corner near 1 and another beyond 2^62. Counts and lists have these;
+ *          the t of such a triangle, where its corners lie far apart, may be any between theirs.
  * Cost:    paper_faithful: O(triangles + pairs); 1 + launches per level * levels, per batch.
  *          paper: the same, 3 or 4 launches per level and half as many levels; beside the
  *          streams about 1 byte per ray.

@@ -11,6 +11,7 @@
 #include "rays/levels.h"
 #include "traverse/brute_force.h"
 #include "traverse/count.h"
+#include "traverse/hit_order.h"
 
 /* Words of an rsh_audit_report. */
 #define RSH_REPORT_RAYS 0
@@ -56,16 +57,11 @@ typedef struct given_answers {
 
 #if RSH_ALL_HITS
 
-static bool is_in_order(rsh_hit a, rsh_hit b)
-{
-    return a.t < b.t || (a.t == b.t && a.primitive < b.primitive);
-}
-
 /* Whether a list is in order and its digests have this sum. */
 static bool is_list_of(__global const rsh_hit* hits, uint count, ulong sum)
 {
     for (uint i = 0; i < count; ++i) {
-        if (i > 0 && !is_in_order(hits[i - 1], hits[i])) return false;
+        if (i > 0 && !comes_before(hits[i - 1], hits[i])) return false;
         sum -= digest_of(hits[i]);
     }
     return sum == 0;

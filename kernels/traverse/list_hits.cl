@@ -8,6 +8,7 @@
  */
 #include "lanes/stride.h"
 #include "traverse/hit_list.h"
+#include "traverse/hit_order.h"
 
 __kernel void rsh_sum_hits(uint ray_count, __global const uint* counts, __global ulong* sums)
 {
@@ -44,11 +45,6 @@ __kernel void rsh_place_hits(uint ray_count, __global const ulong* offsets, ulon
         const hit_record record = records[i];
         if (record.ray != RSH_NO_HIT) hits[offsets[record.ray] + record.rank] = record.hit;
     }
-}
-
-static bool comes_before(rsh_hit a, rsh_hit b)
-{
-    return a.t < b.t || (a.t == b.t && a.primitive < b.primitive);
 }
 
 static void insert_in_order(__global rsh_hit* hits, uint count)
