@@ -60,6 +60,24 @@ def test_buffers_are_kept_until_the_event_has_ended(context):
     assert pool.active_blocks == 0
 
 
+def test_a_call_keeps_what_its_structs_referred_to_when_it_was_made(context, mesh):
+    queue = cl.CommandQueue(context.context)
+    pool = MemoryPool(ImmediateAllocator(queue))
+    geometry = mesh.geometry.copy()
+    geometry.vertices = cla.to_device(queue, mesh.vertices, allocator=pool)
+    bounds = cl.Buffer(
+        context.context, cl.mem_flags.READ_WRITE, rsh.bound_query(context, geometry=geometry).output_bytes
+    )
+    queue.finish()
+    gate = cl.UserEvent(context.context)
+    event = rsh.bound(context, queue, geometry=geometry, bounds=bounds, wait_for=[gate])
+    geometry.vertices = mesh.device_vertices
+    gc.collect()
+    assert pool.active_blocks == 1
+    gate.set_status(cl.command_execution_status.COMPLETE)
+    event.wait()
+
+
 def test_ten_thousand_calls_leave_nothing_behind(context):
     queue = cl.CommandQueue(context.context)
     stream = Stream(context, queue)

@@ -9,7 +9,7 @@ import pyopencl as cl
 from rsh._context import Context
 from rsh._errors import check
 from rsh._library import library
-from rsh._struct import Struct
+from rsh._struct import Struct, in_context
 
 WaitFor: TypeAlias = Iterable[cl.Event] | None
 
@@ -38,20 +38,21 @@ def enqueue(
     wait_for: WaitFor,
 ) -> cl.Event:
     """Enqueue a call; what `desc` refers to is kept until the event has ended."""
+    passed = in_context(desc, context.context, context.device)
     events = [] if wait_for is None else [event.int_ptr for event in wait_for]
     waits = (ct.c_void_p * len(events))(*events) if events else None
     done = ct.c_void_p()
     status = function(
         context.handle,
         queue.int_ptr,
-        ct.byref(desc),
+        ct.byref(passed),
         len(events),
         waits,
         ct.byref(done),
     )
     event = None if done.value is None else cl.Event.from_int_ptr(done.value, retain=False)
     if event is not None:
-        context.keep(event, desc)
+        context.keep(event, passed)
     checked(status, desc)
     assert event is not None
     return event

@@ -6,7 +6,7 @@ import numpy as np
 import pyopencl as cl
 import pyopencl.array as cla
 
-from rsh._arrays import Floats, is_on_device
+from rsh._arrays import Floats, is_on_device, over_shared, queue_of
 from rsh._default import context_of, default
 from rsh.calls import reduce
 
@@ -37,10 +37,10 @@ def compact(array: Floats, mask: Floats, *, queue: cl.CommandQueue | None = None
     stays = is_on_device(array)
     if stays != is_on_device(mask):
         raise TypeError(f"mask is {type(mask).__name__}, must be where array is, {type(array).__name__}")
-    rows: Any = array if stays else np.ascontiguousarray(array)
-    kept: Any = mask if stays else np.ascontiguousarray(mask)
+    queue = queue or (queue_of(array) if stays else default()[1])
+    rows: Any = over_shared("array", array, queue) if stays else np.ascontiguousarray(array)
+    kept: Any = over_shared("mask", mask, queue) if stays else np.ascontiguousarray(mask)
     size = _checked(rows, kept)
-    queue = queue or (rows.queue if stays else default()[1])
     if rows.shape[0] == 0:
         return rows.copy()
     if not stays:

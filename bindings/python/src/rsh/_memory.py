@@ -5,7 +5,9 @@ from typing import Any, TypeAlias
 import pyopencl as cl
 from pyopencl.array import Array
 
-Memory: TypeAlias = cl.MemoryObjectHolder | Array | None
+from rsh._shared import Shared, allocation, part
+
+Memory: TypeAlias = cl.MemoryObjectHolder | cl.SVMPointer | Array | None
 
 
 def memory_object(value: Any) -> Any:
@@ -13,22 +15,41 @@ def memory_object(value: Any) -> Any:
 
     Parameters
     ----------
-    value : pyopencl.Buffer, pyopencl.array.Array or None
-        An array must be C-contiguous; one that begins inside of a buffer becomes a sub-buffer, whose
+    value : pyopencl.Buffer, pyopencl.SVMPointer, pyopencl.array.Array or None
+        An array must be C-contiguous; one that begins inside of its memory becomes a sub-buffer, whose
         place must be aligned as the device asks.
     """
     if value is None or isinstance(value, cl.MemoryObjectHolder):
         return value
+    if isinstance(value, cl.SVMPointer):
+        _require_contiguous(getattr(value, "mem", None))
+        if value.size is None:
+            raise TypeError("is shared virtual memory of no known size")
+        return Shared(value, 0, value.size)
     if not isinstance(value, Array):
         raise TypeError(
-            f"is {type(value).__name__}, must be a pyopencl.Buffer, a pyopencl.array.Array or None"
+            f"is {type(value).__name__}, must be a pyopencl.Buffer, a pyopencl.array.Array, shared virtual "
+            "memory (pyopencl.SVM, pyopencl.SVMAllocation) or None"
         )
-    if not value.flags.c_contiguous:
-        raise ValueError(f"has strides {value.strides}, must be C-contiguous")
+    _require_contiguous(value)
     data: Any = value.base_data
-    if not isinstance(data, cl.MemoryObjectHolder | None):
-        raise TypeError(f"is an array in {type(data).__name__}, must be one in a buffer")
+    if isinstance(data, cl.SVMPointer):
+        return Shared(data, value.offset, value.nbytes, value.context)
     if data is None or value.offset == 0:
         return data
-    whole: Any = cl.Buffer.from_int_ptr(data.int_ptr)  # pools have buffers of another type
-    return whole[value.offset : value.offset + value.nbytes]
+    return part(cl.Buffer.from_int_ptr(data.int_ptr), value.offset, value.nbytes)  # pools have other types
+
+
+def place_of(array: Array) -> tuple[Any, int]:
+    """Return the memory that an array lies in, and how many bytes before it: no place is too odd for that."""
+    data: Any = array.base_data
+    if not isinstance(data, cl.SVMPointer):
+        return data, array.offset
+    whole = allocation(data)
+    return whole, data.svm_ptr - whole.svm_ptr + array.offset
+
+
+def _require_contiguous(array: Any) -> None:
+    flags = getattr(array, "flags", None)
+    if flags is not None and not flags.c_contiguous:
+        raise ValueError(f"has strides {array.strides}, must be C-contiguous")

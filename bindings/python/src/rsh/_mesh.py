@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 import pyopencl as cl
 import pyopencl.array as cla
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from pyopencl.tools import ImmediateAllocator, MemoryPool
 
 from rsh._arrays import Floats, is_on_device, on_device, on_host, require
 from rsh._context import Context
+from rsh._memory import place_of
 from rsh.calls import bound, bound_query, default_engine, engine_shape
 from rsh.constants import BOUND_QUALITY, BOUND_REFIT, ENGINE_BRUTE_FORCE, ENGINE_DEFAULT
 from rsh.structs import Geometry, MeshRange
@@ -32,7 +33,7 @@ class Mesh:
         self._ranges: cla.Array | None = None
         self._host: tuple[NDArray[Any], NDArray[Any]] | None = None
 
-    def set_faces(self, faces: ArrayLike | cla.Array | None) -> None:
+    def set_faces(self, faces: Floats | None) -> None:
         """Take the faces, or without any three vertices after each other for each."""
         assert self._vertices is not None
         if faces is None:
@@ -41,7 +42,7 @@ class Mesh:
         else:
             self._faces = self._taken("faces", faces, [np.uint32, np.int32], (3,))
             count = self._faces.shape[0]
-        self.geometry.indices = self._faces
+            self.geometry.indices, self.geometry.indices_offset = place_of(self._faces)
         self.geometry.triangle_count = count
 
     def set_vertices(self, vertices: Floats) -> None:
@@ -51,8 +52,7 @@ class Mesh:
         require(taken.shape[0] == count, "vertices", taken, f"({count}, 3) as before")
         with self._lock:
             self._vertices, self._host, self._are_bounds_old = taken, None, True
-            self.geometry.vertices = taken.base_data
-            self.geometry.vertices_offset = taken.offset
+            self.geometry.vertices, self.geometry.vertices_offset = place_of(taken)
             self.geometry.vertex_stride = 4 * taken.shape[1]
             self.geometry.vertex_count = count
 
@@ -65,11 +65,13 @@ class Mesh:
 
     def _taken(self, name: str, array: Any, dtypes: list[type[Any]], widths: tuple[int, ...]) -> cla.Array:
         is_there = is_on_device(array)
-        taken: Any = on_device(name, array, dtypes) if is_there else on_host(name, array, dtypes[0])
+        taken: Any = (
+            on_device(name, array, self._queue, dtypes) if is_there else on_host(name, array, dtypes[0])
+        )
         allowed = " or ".join(f"(n, {width})" for width in widths)
         require(taken.ndim == 2 and taken.shape[1] in widths, name, taken, allowed)
         if is_there:
-            return array  # type: ignore[no-any-return]
+            return taken  # type: ignore[no-any-return]
         return cla.to_device(self._queue, taken, allocator=self._pool)
 
     def bounds(self) -> cl.Buffer | None:

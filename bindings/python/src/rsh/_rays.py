@@ -7,6 +7,7 @@ import pyopencl.array as cla
 from numpy.typing import ArrayLike, NDArray
 
 from rsh._arrays import on_host, require
+from rsh._memory import place_of
 from rsh.structs import RayFloats
 
 
@@ -49,16 +50,22 @@ def check_rays(rays: Any) -> None:
     require(is_right, "rays", rays, "(n, 6), (n, 8), (h, w, 6) or (h, w, 8)")
 
 
-def as_traced(rays: cla.Array) -> dict[str, Any]:
-    """Return what rsh_trace is told of rays on the device: a screen or a list, where the floats are."""
+def as_traced(rays: cla.Array, alignment: int) -> dict[str, Any]:
+    """Return what rsh_trace is told of rays on the device: a screen or a list, where the floats are.
+
+    Whole rays must begin at a multiple of `alignment` in their memory; of others the floats are told.
+    """
     shape = rays.shape[:-1]
     told: dict[str, Any] = {"width": shape[-1], "height": shape[0] if len(shape) > 1 else 0}
-    if rays.shape[-1] == 8:
+    if rays.shape[-1] == 6:
+        return {**told, "origins": floats_in(rays, 0), "directions": floats_in(rays, 3)}
+    if place_of(rays)[1] % alignment == 0:
         return {**told, "rays": rays}
-    return {**told, "origins": floats_in(rays, 0), "directions": floats_in(rays, 3)}
+    columns = {"origins": 0, "tmin": 3, "directions": 4, "tmax": 7}
+    return {**told, **{name: floats_in(rays, first) for name, first in columns.items()}}
 
 
 def floats_in(array: cla.Array, first: int) -> RayFloats:
     """Return where three floats of each row are, from column `first` on."""
-    buffer: Any = array.base_data
-    return RayFloats(buffer=buffer, offset=array.offset + 4 * first, stride=4 * array.shape[-1])
+    memory, begin = place_of(array)
+    return RayFloats(buffer=memory, offset=begin + 4 * first, stride=4 * array.shape[-1])

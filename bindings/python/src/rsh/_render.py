@@ -88,7 +88,7 @@ def render(
     TypeError, ValueError
         An array has another type or shape.
     """
-    widened = Camera.from_buffer_copy(camera)
+    widened = camera.copy()
     for axis in range(3):
         widened.right[axis] *= width / height
     materials = _white() if materials is None else materials

@@ -2,15 +2,18 @@
 
 import ctypes as ct
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, TypeAlias, TypeVar
 
 import numpy as np
+import pyopencl as cl
 from numpy.typing import NDArray
 
 from rsh._memory import memory_object
+from rsh._shared import Shared
 
 Vector: TypeAlias = Sequence[float] | NDArray[Any] | None
 Conversion: TypeAlias = Callable[["Struct", str, Any], Any]
+Kind = TypeVar("Kind", bound="Struct")
 
 
 class Struct(ct.Structure):
@@ -47,6 +50,12 @@ class Struct(ct.Structure):
         except TypeError as error:
             raise TypeError(f"{type(self).__name__}.{name}: {error}") from None
 
+    def copy(self: "Kind") -> "Kind":
+        """Return another one of the same members, which keeps alive what they refer to."""
+        copied = type(self).from_buffer_copy(self)
+        copied.__dict__["_kept"] = dict(self.__dict__.get("_kept", {}))
+        return copied
+
     def calls_back(self) -> bool:
         """Whether a member is a function of Python's that may report progress."""
         return "progress" in self.__dict__["_kept"]
@@ -77,9 +86,10 @@ def handle(struct: Struct, name: str, value: Any) -> int:
 
 
 def nested(struct: Struct, name: str, value: Any) -> Any:
-    """Convert a struct in a struct."""
-    _keep(struct, name, value)
-    return value
+    """Convert a struct in a struct: a copy, that what it refers to is kept when `value` changes."""
+    copied = value.copy() if isinstance(value, Struct) else value
+    _keep(struct, name, copied)
+    return copied
 
 
 def pointed(struct: Struct, name: str, value: Any) -> int | None:
@@ -101,6 +111,31 @@ def vector(struct: Struct, name: str, value: Any) -> Any:
 def text(struct: Struct, name: str, value: str | None) -> bytes | None:
     """Convert a string."""
     return None if value is None else value.encode()
+
+
+def in_context(struct: Struct, context: cl.Context, device: cl.Device) -> Struct:
+    """Return the struct, or where it refers to shared virtual memory, a copy that has buffers for it."""
+    found: dict[str, Any] = {}
+    for name, kept in struct.__dict__.get("_kept", {}).items():
+        if isinstance(kept, Struct):
+            inner = in_context(kept, context, device)
+            if inner is not kept:
+                found[name] = inner
+        elif isinstance(kept, tuple) and isinstance(kept[1], Shared):
+            try:
+                found[name] = kept[1].buffer(context, device)
+            except (TypeError, ValueError) as error:
+                raise type(error)(f"{type(struct).__name__}.{name} {error}") from None
+    if not found:
+        return struct
+    copied = struct.copy()
+    for name, value in found.items():
+        if isinstance(value, Struct):
+            setattr(copied, name, value)
+        else:
+            ct.Structure.__setattr__(copied, name, value.int_ptr)
+            _keep(copied, name, value)
+    return copied
 
 
 _LOG = ct.CFUNCTYPE(None, ct.c_char_p, ct.c_void_p)

@@ -24,17 +24,18 @@ class Tracer:
     def __init__(self, context: Context, queue: cl.CommandQueue, mesh: Mesh, engine: int) -> None:
         self.context, self.queue, self.mesh, self.engine = context, queue, mesh, engine
         self.pool = MemoryPool(ImmediateAllocator(queue))
+        self._alignment = int(context.device.mem_base_addr_align) // 8
 
     def take(self, rays: Any) -> "Traced":
         """Take rays of 6 or 8 floats."""
-        taken = on_device("rays", rays) if is_on_device(rays) else on_host("rays", rays)
+        taken = self._taken("rays", rays)
         check_rays(taken)
         taken = self._sent(taken)
-        return Traced(self, as_traced(taken), taken.shape[:-1], taken.events)
+        return Traced(self, as_traced(taken, self._alignment), taken.shape[:-1], taken.events)
 
     def take_points(self, points: Any) -> "Traced":
         """Take a ray from each point, all in the same direction."""
-        taken = on_device("points", points) if is_on_device(points) else on_host("points", points)
+        taken = self._taken("points", points)
         require(taken.ndim == 2 and taken.shape[1] == 3, "points", taken, "(n, 3)")
         taken = self._sent(taken)
         count = taken.shape[0]
@@ -45,6 +46,9 @@ class Tracer:
             "directions": floats_in(directions, 0),
         }
         return Traced(self, told, (count,), taken.events + directions.events)
+
+    def _taken(self, name: str, array: Any) -> Any:
+        return on_device(name, array, self.queue) if is_on_device(array) else on_host(name, array)
 
     def _sent(self, array: Any) -> cla.Array:
         return array if is_on_device(array) else cla.to_device(self.queue, array, allocator=self.pool)

@@ -6,7 +6,7 @@ import numpy as np
 import pyopencl as cl
 from numpy.typing import ArrayLike, NDArray
 
-from rsh._arrays import Floats, is_on_device
+from rsh._arrays import Floats, is_on_device, queue_of
 from rsh._call import WaitFor
 from rsh._context import Context
 from rsh._default import context_of, default
@@ -23,7 +23,8 @@ class Scene:
     Rays are arrays (n, 6): origin, direction; (n, 8), as `make_rays` and rsh_ray have them: origin,
     tmin, direction, tmax; or as a screen (h, w, 6 or 8), where neighbours are traced together. Of NumPy's
     arrays, the answer is NumPy's. Of C-contiguous float32 arrays on the device nothing is copied, and the
-    answer stays there; its `events` tell when it is there, as of any array of pyopencl. Answers have the
+    answer stays there; its `events` tell when it is there, as of any array of pyopencl. So it is with
+    `pyopencl.SVM` of an array in shared virtual memory, which must not be mapped meanwhile. Answers have the
     shape of the rays without its last number.
 
     Parameters
@@ -33,7 +34,7 @@ class Scene:
     faces : array_like or pyopencl.array.Array, (m, 3), optional
         Three vertices each; without them any three vertices after each other are a triangle.
     queue : pyopencl.CommandQueue, optional
-        Without it that of `vertices`, else one that the process has for it.
+        Without it that of `vertices`, else one that the process has for it. Shared virtual memory needs it.
     context : Context, optional
         Shares its programs and memory with what else uses it.
     engine : int, optional
@@ -60,7 +61,7 @@ class Scene:
         ranges: NDArray[Any] | None = None,
     ) -> None:
         if queue is None and is_on_device(vertices):
-            queue = vertices.queue  # type: ignore[union-attr]
+            queue = queue_of(vertices)
         if queue is None and context is not None:
             queue = cl.CommandQueue(context.context, context.device)
         if queue is None:
