@@ -15,7 +15,7 @@ rm -rf "$folder"
 "$folder/pypi/bin/python" -m build -q --outdir "$folder/dist" bindings/python
 "$folder/pypi/bin/pip" install -q "$(echo "$folder"/dist/rsh-*.whl)[test]"
 "$folder/debian/bin/pip" install -q --no-deps "$folder"/dist/rsh-*.whl
-"$folder/debian/bin/pip" install -q hypothesis pillow pytest trimesh
+"$folder/debian/bin/pip" install -q hypothesis matplotlib pillow pytest tqdm trimesh
 
 # No folder of the sources may be on the path: the package is the installed one.
 cd bindings/python

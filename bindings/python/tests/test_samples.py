@@ -1,11 +1,13 @@
 """samples/python, each as it is run."""
 
+import json
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 from PIL import Image, ImageSequence
 
 SAMPLES = Path(__file__).parents[3] / "samples/python"
@@ -46,6 +48,27 @@ def test_voxels_have_the_volume_of_the_torus(tmp_path):
     assert abs(volume / true - 1) < 0.01
     with Image.open(tmp_path / "torus.png") as picture:
         assert picture.size == (8 * 50, 50)
+
+
+def test_results_of_the_benchmark_are_drawn(tmp_path):
+    results = SAMPLES.parents[1] / "docs/results/hits.json"
+    assert run(tmp_path, "plot_bench.py", str(results)) == "bench.png: 21 rows, 6 contenders\n"
+    with Image.open(tmp_path / "bench.png") as picture:
+        pixels = np.asarray(picture.convert("RGB"), int)
+    coloured = pixels.max(-1) - pixels.min(-1) > 60
+    assert coloured[pixels.shape[0] // 5 :].sum() > 117 * 20, "117 marks"
+    (tmp_path / "empty.json").write_text('{"suite": "frame", "cases": []}')
+    with pytest.raises(subprocess.CalledProcessError) as failed:
+        run(tmp_path, "plot_bench.py", "empty.json")
+    assert "empty.json: no case is right and has ms_total" in failed.value.stderr
+
+
+def test_results_of_frames_have_embree_beside_them(tmp_path):
+    case = {"ok": True, "name": "frame/scene:room/size:8x8/rays:shadow/engine:tiles/bound:box"}
+    case["metrics"] = {"ms_total": 2.0, "embree_build_ms": 1.0, "embree_trace_ms": 3.0}
+    wrong = {**case, "ok": False, "name": case["name"] + "/refit"}
+    (tmp_path / "frame.json").write_text(json.dumps({"suite": "frame", "cases": [case, wrong]}))
+    assert run(tmp_path, "plot_bench.py", "frame.json") == "bench.png: 1 rows, 2 contenders\n"
 
 
 def test_numbers_are_reduced(tmp_path):
