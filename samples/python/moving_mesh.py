@@ -9,6 +9,7 @@ from PIL import Image
 
 import rsh
 from rsh.__main__ import sheet
+from rsh.progress import watched
 
 
 def main():
@@ -28,7 +29,7 @@ def main():
     vertices, faces = sheet(120, 0)
     scene = rsh.Scene(vertices, faces)
     pictures = []
-    for phase in np.linspace(0, 2 * np.pi, given.frames, endpoint=False):
+    for phase in watched(np.linspace(0, 2 * np.pi, given.frames, endpoint=False), "frames"):
         vertices = sheet(120, phase)[0] * [1, 1, 2]
         scene.update(vertices)
         hits = scene.closest(rays, normal=True, location=True)

@@ -18,6 +18,7 @@ def test_it_tells_devices_and_measures():
     assert sum(line.startswith("-> ") for line in lines) == 1
     assert "  unsafe strategies: none" in lines
     assert "  wrong arithmetic: none" in lines
+    assert done.stderr == "", "no bars where there is no terminal"
     measured = re.findall(r"(\d+) triangles, (\w+): +([\d.]+) ms \((\d+) % of the rays hit\)", done.stdout)
     assert [(row[0], row[1]) for row in measured] == [
         (str(2 * n * n), kind) for n in (100, 200, 400) for kind in ("camera", "random")

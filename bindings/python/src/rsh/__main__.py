@@ -7,6 +7,7 @@ many at random; it takes 10 seconds, or as many as are given.
 import sys
 import time
 from collections.abc import Iterator
+from itertools import count
 
 import numpy as np
 import pyopencl as cl
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 from rsh._default import default
 from rsh.calls import arithmetic_name, default_engine, device_selftest, engine_name, strategy_name, version
 from rsh.constants import NO_HIT
+from rsh.progress import watched
 from rsh.scene import Scene
 
 _SIDE = 512
@@ -69,6 +71,14 @@ def test_device() -> bool:
     return bool(report.unsafe_strategies == 0 and report.wrong_arithmetic == 0)
 
 
+def _until(end: float) -> Iterator[int]:
+    """Count from 0 until it is that late, at least to 1."""
+    for number in count():
+        if number >= 2 and time.perf_counter() >= end:
+            return
+        yield number
+
+
 def measure(seconds: float) -> None:
     """Print the milliseconds of frames in which all vertices move, the median."""
     print(f"{_SIDE * _SIDE} rays, NumPy's arrays, all vertices new in each frame:")
@@ -79,10 +89,9 @@ def measure(seconds: float) -> None:
         for name, rays in kinds:
             hits = scene.closest(rays)  # compiles, too
             times: list[float] = []
-            end = time.perf_counter() + seconds / 6
-            while len(times) < 2 or time.perf_counter() < end:
+            for number in watched(_until(time.perf_counter() + seconds / 6), f"{name}, frames"):
                 begin = time.perf_counter()
-                scene.update(frames[len(times) % 4][0])
+                scene.update(frames[number % 4][0])
                 hits = scene.closest(rays)
                 times.append(time.perf_counter() - begin)
             share = np.mean(hits.primitive != NO_HIT)

@@ -1,6 +1,6 @@
 """Pictures by rsh_frame."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -57,6 +57,7 @@ def render(
     ambient: Sequence[float] = (0.2, 0.2, 0.2),
     environment: Sequence[float] = (0, 0, 0),
     bounces: int = 4,
+    progress: Callable[[int, int], object] | None = None,
 ) -> NDArray[np.float32]:
     """Render a picture with Whitted's reflections, refractions and shadows; BLOCKS.
 
@@ -77,6 +78,8 @@ def render(
         Linear colours of the light from everywhere, and of what rays see that hit nothing.
     bounces : int, optional
         The longest chain of reflections and refractions.
+    progress : callable, optional
+        Is called before each wave of rays, as by rsh_frame; `rsh.progress.Bar` is one.
 
     Returns
     -------
@@ -120,6 +123,7 @@ def render(
         height=height,
         bounces=bounces,
         colour=colour,
+        progress=progress,
         wait_for=waits,
     ).wait()
     picture: NDArray[np.float32] = colour.get(scene.queue)
