@@ -38,7 +38,7 @@ def on_host(name: str, value: ArrayLike, dtype: type[Any] = np.float32) -> NDArr
     if dtype is not np.float32 and array.size and not 0 <= array.min() <= array.max() < 2**32:
         raise ValueError(f"{name} has values from {array.min()} to {array.max()}, must be 0 to 2^32 - 1")
     with np.errstate(over="ignore"):
-        return np.ascontiguousarray(array, dtype)
+        return np.asarray(array, dtype, order="C")
 
 
 def on_device(

@@ -38,8 +38,8 @@ def compact(array: Floats, mask: Floats, *, queue: cl.CommandQueue | None = None
     if stays != is_on_device(mask):
         raise TypeError(f"mask is {type(mask).__name__}, must be where array is, {type(array).__name__}")
     queue = queue or (queue_of(array) if stays else default()[1])
-    rows: Any = over_shared("array", array, queue) if stays else np.ascontiguousarray(array)
-    kept: Any = over_shared("mask", mask, queue) if stays else np.ascontiguousarray(mask)
+    rows: Any = over_shared("array", array, queue) if stays else np.asarray(array, order="C")
+    kept: Any = over_shared("mask", mask, queue) if stays else np.asarray(mask, order="C")
     size = _checked(rows, kept)
     if rows.shape[0] == 0:
         return rows.copy()

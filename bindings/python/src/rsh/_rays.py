@@ -37,7 +37,6 @@ def make_rays(
     for name, part in zip(("origins", "directions"), parts, strict=True):
         require(part.ndim > 0 and part.shape[-1] == 3, name, part, "(..., 3)")
     ends = [on_host("tmin", tmin), on_host("tmax", tmax)]
-    ends = [np.reshape(end, np.shape(given)) for end, given in zip(ends, (tmin, tmax), strict=True)]
     shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts), *(end.shape for end in ends))
     rays = np.empty((*shape, 8), np.float32)
     rays[..., 0:3], rays[..., 3], rays[..., 4:7], rays[..., 7] = parts[0], ends[0], parts[1], ends[1]
