@@ -1,6 +1,7 @@
 """What is wrong is an exception with the library's message, and never a crash."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -94,13 +95,20 @@ def test_buffers_of_another_context_are_refused(mesh):
         closest(context, cl.CommandQueue(context.context), mesh)
 
 
-def test_without_a_platform_it_tells_how_to_get_one(tmp_path):
-    done = subprocess.run(
-        [sys.executable, "-c", "import rsh; rsh.Context()"],
-        capture_output=True,
-        text=True,
-        check=False,
-        env={**os.environ, "OCL_ICD_VENDORS": str(tmp_path), "OPENCL_VENDOR_PATH": str(tmp_path)},
-    )
+@pytest.mark.parametrize("program", ["rsh.Context()", "rsh.Scene([[0, 0, 0]] * 3)", "rsh.find_device('x')"])
+def test_without_a_platform_it_tells_how_to_get_one(program):
+    done = without_a_platform("-c", f"import rsh; {program}")
     assert "NoDeviceError" in done.stderr
-    assert "pip install 'pyopencl[pocl]'" in done.stderr
+    assert "? PoCL makes one of any CPU: pip install 'pyopencl[pocl]'" in done.stderr
+
+
+def test_without_a_platform_the_program_says_so_in_one_line():
+    done = without_a_platform("-m", "rsh")
+    assert done.returncode == 1
+    assert re.fullmatch("no OpenCL platform.* pip install 'pyopencl.pocl.'.*\n", done.stderr)
+
+
+def without_a_platform(*arguments):
+    nowhere = {"OCL_ICD_VENDORS": "/nonexistent", "OPENCL_VENDOR_PATH": "/nonexistent"}
+    command = [sys.executable, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **nowhere})

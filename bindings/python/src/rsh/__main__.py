@@ -14,6 +14,7 @@ import pyopencl as cl
 from numpy.typing import NDArray
 
 from rsh._default import default
+from rsh._errors import NoDeviceError
 from rsh.calls import arithmetic_name, default_engine, device_selftest, engine_name, strategy_name, version
 from rsh.constants import NO_HIT
 from rsh.progress import watched
@@ -102,8 +103,12 @@ def measure(seconds: float) -> None:
 
 
 def main() -> int:
-    """Run all three; 1 when the device is not fit."""
-    tell_devices()
+    """Run all three; 1 when the device is not fit, or there is none."""
+    try:
+        tell_devices()
+    except NoDeviceError as error:
+        print(error, file=sys.stderr)
+        return 1
     is_fit = test_device()
     measure(float(sys.argv[1]) if len(sys.argv) > 1 else 10.0)
     return 0 if is_fit else 1

@@ -55,5 +55,6 @@ def check(status: int) -> None:
         return
     message = _last_error().decode(errors="replace")
     if status == NO_DEVICE:
-        message = f"{message}. {_HOW_TO_GET_A_DEVICE}"
+        end = "" if message.endswith(("?", ".")) else "."
+        message = f"{message}{end} {_HOW_TO_GET_A_DEVICE}"
     raise _CLASSES.get(status, Error)(status, f"{message} [{_status_string(status).decode()}]")
