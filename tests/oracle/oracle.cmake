@@ -3,10 +3,11 @@
 find_package(Threads REQUIRED)
 get_filename_component(tests ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(oracle_files closest crossings/crossings crossings/judge_crossings crossings/lattice_crossings
-    crossings/windings exact filter found hit judge lattice lattice_numbers leaving/inside leaving/separated leaving/snell
-    leaving/spawned_ray mirrors/float_state mirrors/growth mirrors/lines mirrors/mirrors mirrors/path
-    mirrors/path_errors mirrors/room mirrors/waves)
-set(generator_files bodies closed_meshes mesh random rays)
+    crossings/windings exact filter found frame/reference_frame frame/scene_bvh hit judge lattice
+    lattice_numbers leaving/inside leaving/separated leaving/snell leaving/spawned_ray mirrors/float_state
+    mirrors/growth mirrors/lines mirrors/mirrors mirrors/path mirrors/path_errors mirrors/room
+    mirrors/waves whitted)
+set(generator_files bodies closed_meshes mesh random rays scene)
 list(TRANSFORM oracle_files REPLACE "(.+)" "${tests}/oracle/\\1.cpp")
 list(TRANSFORM generator_files REPLACE "(.+)" "${tests}/support/\\1.cpp")
 add_library(rsh_oracle STATIC ${oracle_files} ${generator_files})

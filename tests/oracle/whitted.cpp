@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
-
-#include "support/rays.hpp"
+#include <limits>
 
 namespace oracle {
 namespace {
@@ -43,27 +42,14 @@ Double3 texel(const Scene& scene, const rsh_texture& t, int64_t x, int64_t y) {
 }
 
 template <class T>
-test::Double3 mix(const rsh_hit& hit, T a, T b, T c) {
-    return (1 - double(hit.u) - double(hit.v)) * Double3(a) + double(hit.u) * Double3(b) +
-           double(hit.v) * Double3(c);
+test::Double3 mix(const Hit& hit, T a, T b, T c) {
+    return (1 - hit.u - hit.v) * Double3(a) + hit.u * Double3(b) + hit.v * Double3(c);
 }
 
 void corner_indices(const Scene& scene, uint32_t triangle, uint32_t (&index)[3]) {
     for (uint32_t k = 0; k < 3; ++k)
         index[k] = scene.mesh.indices.empty() ? 3 * triangle + k
                                               : scene.mesh.indices[3 * triangle + k];
-}
-
-// Repeats in u only: above the topmost texel's centre there is that row again.
-Double3 environment_at(const Scene& scene, Double3 d) {
-    const Double3 plain(scene.environment);
-    if (scene.environment_texture == 0) return plain;
-    const uint32_t texture = scene.environment_texture - 1;
-    const double half_row = 0.5 / scene.textures[texture].height;
-    const Double3 n = normalize(d);
-    const double u = 0.5 + std::atan2(n.x, -n.z) / (2 * kPi);
-    const double v = 0.5 + std::asin(std::clamp(n.y, -1.0, 1.0)) / kPi;
-    return plain * texture_at(scene, texture, u, std::clamp(v, half_row, 1 - half_row));
 }
 
 Double3 arriving(const rsh_light& light, Double3 to_light, double distance) {
@@ -131,11 +117,11 @@ Double3 texture_at(const Scene& scene, uint32_t texture, double u, double v) {
            fy * ((1 - fx) * texel(scene, t, i, j + 1) + fx * texel(scene, t, i + 1, j + 1));
 }
 
-Surface surface_at(const Scene& scene, const rsh_ray& ray, const rsh_hit& hit) {
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
     uint32_t i[3];
     corner_indices(scene, hit.primitive, i);
     const auto& p = scene.mesh.vertices;
-    const Double3 d(test::direction(ray));
+    const Double3 d = ray.direction;
     Surface s;
     s.point = mix(hit, p[i[0]], p[i[1]], p[i[2]]);
     const Double3 a(p[i[0]]);
@@ -156,8 +142,7 @@ Surface surface_at(const Scene& scene, const rsh_ray& ray, const rsh_hit& hit) {
     if (s.material.texture != RSH_NO_TEXTURE && !scene.texcoords.empty()) {
         const auto at = [&](int k, int c) { return double(scene.texcoords[i[k]][size_t(c)]); };
         const auto mixed = [&](int c) {
-            return (1 - double(hit.u) - double(hit.v)) * at(0, c) + double(hit.u) * at(1, c) +
-                   double(hit.v) * at(2, c);
+            return (1 - hit.u - hit.v) * at(0, c) + hit.u * at(1, c) + hit.v * at(2, c);
         };
         const Double3 texel = texture_at(scene, s.material.texture, mixed(0), mixed(1));
         s.diffuse = s.diffuse * texel;
@@ -166,14 +151,29 @@ Surface surface_at(const Scene& scene, const rsh_ray& ray, const rsh_hit& hit) {
     return s;
 }
 
-Double3 radiance(const Scene& scene, const rsh_ray& ray, const rsh_hit& hit, uint32_t hidden) {
-    const Double3 d(test::direction(ray));
-    if (hit.primitive == RSH_NO_HIT) return environment_at(scene, d);
-    const Surface s = surface_at(scene, ray, hit);
+Double3 sent_by(const Scene& scene, const Surface& s, Double3 direction, uint32_t hidden) {
     Double3 sum = rgb(s.material.emission) + s.ambient * Double3(scene.ambient);
     for (size_t k = 0; k < scene.lights.size(); ++k)
-        if (!(hidden >> k & 1)) sum = sum + lit_by(scene.lights[k], s, -1.0 * normalize(d));
+        if (!(hidden >> k & 1))
+            sum = sum + lit_by(scene.lights[k], s, -1.0 * normalize(direction));
     return sum;
+}
+
+// Repeats in u only: above the topmost texel's centre there is that row again.
+Double3 environment_at(const Scene& scene, Double3 d) {
+    const Double3 plain(scene.environment);
+    if (scene.environment_texture == 0) return plain;
+    const uint32_t texture = scene.environment_texture - 1;
+    const double half_row = 0.5 / scene.textures[texture].height;
+    const Double3 n = normalize(d);
+    const double u = 0.5 + std::atan2(n.x, -n.z) / (2 * kPi);
+    const double v = 0.5 + std::asin(std::clamp(n.y, -1.0, 1.0)) / kPi;
+    return plain * texture_at(scene, texture, u, std::clamp(v, half_row, 1 - half_row));
+}
+
+Double3 radiance(const Scene& scene, const Ray& ray, const Hit& hit, uint32_t hidden) {
+    if (hit.primitive == RSH_NO_HIT) return environment_at(scene, ray.direction);
+    return sent_by(scene, surface_at(scene, ray, hit), ray.direction, hidden);
 }
 
 Double3 towards_light(const rsh_light& light, Double3 point, double* distance) {
@@ -191,8 +191,8 @@ bool reaches(const rsh_light& light, const Surface& s) {
            max_norm(arriving(light, l, distance)) > 0;
 }
 
-Secondary reflected(const Surface& s, const rsh_ray& ray) {
-    const Double3 d = normalize(Double3(test::direction(ray)));
+Secondary reflected(const Surface& s, const Ray& ray) {
+    const Double3 d = normalize(ray.direction);
     const double cosine = -dot(d, s.normal);
     Secondary made;
     made.direction = kept_on_side(normalize(d + (2 * cosine) * s.normal), s.geometric);
@@ -205,10 +205,10 @@ Secondary reflected(const Surface& s, const rsh_ray& ray) {
     return made;
 }
 
-Secondary refracted(const Surface& s, const rsh_ray& ray) {
+Secondary refracted(const Surface& s, const Ray& ray) {
     Secondary made;
     if (!transmits(s.material)) return made;
-    const Double3 d = normalize(Double3(test::direction(ray)));
+    const Double3 d = normalize(ray.direction);
     const double eta = eta_of(s), cosine = -dot(d, s.normal);
     const double f = fresnel(std::fabs(cosine), eta);
     made.exists = f < 1;

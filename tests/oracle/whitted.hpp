@@ -3,6 +3,7 @@
 // kernels.
 #pragma once
 
+#include "oracle/ray.hpp"
 #include "support/scene.hpp"
 
 namespace oracle {
@@ -17,11 +18,17 @@ struct Surface {
     bool from_inside = false;  // the ray meets the back
 };
 
-Surface surface_at(const test::Scene& scene, const rsh_ray& ray, const rsh_hit& hit);
+Surface surface_at(const test::Scene& scene, const Ray& ray, const Hit& hit);
 
-// What the surface, or the environment where nothing is hit, sends back along the ray; bit k of
-// `hidden` takes away light k.
-test::Double3 radiance(const test::Scene& scene, const rsh_ray& ray, const rsh_hit& hit,
+// What the surface sends out against `direction` by itself; bit k of `hidden` takes away light k.
+test::Double3 sent_by(const test::Scene& scene, const Surface& surface, test::Double3 direction,
+                      uint32_t hidden);
+
+// What a ray sees that hits nothing.
+test::Double3 environment_at(const test::Scene& scene, test::Double3 direction);
+
+// Of the two, what the ray meets.
+test::Double3 radiance(const test::Scene& scene, const Ray& ray, const Hit& hit,
                        uint32_t hidden);
 
 // Unit vector towards the light; *distance is infinite for a directional one.
@@ -36,8 +43,8 @@ struct Secondary {
     test::Double3 weight;
 };
 
-Secondary reflected(const Surface& surface, const rsh_ray& ray);
-Secondary refracted(const Surface& surface, const rsh_ray& ray);
+Secondary reflected(const Surface& surface, const Ray& ray);
+Secondary refracted(const Surface& surface, const Ray& ray);
 
 // Repeat, bilinear; u to the right, v upwards.
 test::Double3 texture_at(const test::Scene& scene, uint32_t texture, double u, double v);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "support/device_scene.hpp"
 #include "support/rays.hpp"
-#include "support/scene.hpp"
 
 namespace test {
 

@@ -1,14 +1,12 @@
-// scene.hpp - a scene on the host with everything that shading reads, its upload, and the few
-// scenes that the tests of shading, frames and images share.
+// scene.hpp - a scene on the host with everything that shading reads, and the few scenes that the tests
+// of shading, frames and images and rsh-bench accuracy share. Knows no device.
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include <rsh/rsh.h>
 
-#include "support/buffer.hpp"
 #include "support/mesh.hpp"
 
 namespace test {
@@ -48,17 +46,5 @@ Scene gallery();
 
 // Matte, flat, one light without shadow: needs no feature.
 Scene plain();
-
-class DeviceScene {
-public:
-    // Features as rsh_find_features finds them, less the bits of `without`.
-    explicit DeviceScene(const Scene& scene, rsh_features without = 0);
-    rsh_scene desc = {};
-
-private:
-    template <class T>
-    cl_mem upload(const std::vector<T>& data);
-    std::vector<std::unique_ptr<Bytes>> buffers_;
-};
 
 }  // namespace test
