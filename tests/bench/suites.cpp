@@ -1,4 +1,5 @@
 // suites.cpp - the list of suites. One row each.
+#include "accuracy/accuracy_suite.hpp"
 #include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
 #include "hits/hits_suite.hpp"
@@ -13,6 +14,7 @@
 namespace bench {
 
 const std::vector<Suite*>& suites() {
+    static AccuracySuite accuracy;
     static BudgetsSuite budgets;
     static FrameSuite frame;
     static HitsSuite hits;
@@ -22,8 +24,9 @@ const std::vector<Suite*>& suites() {
     static QueriesSuite queries;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&budgets,  &frame,   &hits,   &mirrors,  &parity,
-                                            &programs, &queries, &reduce, &stability};
+    static const std::vector<Suite*> all = {&accuracy, &budgets,  &frame,    &hits,
+                                            &mirrors,  &parity,   &programs, &queries,
+                                            &reduce,   &stability};
     return all;
 }
 
