@@ -92,15 +92,27 @@ Kernel make_kernel(int radius, const WeightOf& weight_of) {
     return kernel;
 }
 
+// With what lies beyond the border, as Image::at has it.
+Image padded(const Image& image, int radius) {
+    Image made = {image.width + 2 * uint32_t(radius), image.height + 2 * uint32_t(radius), {}};
+    for (int64_t y = 0; y < made.height; ++y)
+        for (int64_t x = 0; x < made.width; ++x)
+            made.pixels.push_back(image.at(x - radius, y - radius));
+    return made;
+}
+
 Image convolved(const Image& image, const Kernel& kernel) {
+    const Image from = padded(image, kernel.radius);
     Image made = {image.width, image.height, std::vector<Double3>(image.pixels.size())};
+    const size_t side = 2 * size_t(kernel.radius) + 1;
     oracle::on_all_cores(image.height, [&](size_t row) {
-        for (uint32_t column = 0; column < image.width; ++column) {
+        for (size_t column = 0; column < image.width; ++column) {
             Double3 sum;
-            const Double3* weight = kernel.weights.data();
-            for (int y = -kernel.radius; y <= kernel.radius; ++y)
-                for (int x = -kernel.radius; x <= kernel.radius; ++x)
-                    sum = sum + *weight++ * image.at(int64_t(column) + x, int64_t(row) + y);
+            for (size_t y = 0; y < side; ++y) {
+                const Double3* pixel = &from.pixels[(row + y) * from.width + column];
+                const Double3* weight = &kernel.weights[y * side];
+                for (size_t x = 0; x < side; ++x) sum = sum + weight[x] * pixel[x];
+            }
             made.pixels[row * image.width + column] = sum;
         }
     });
@@ -160,7 +172,6 @@ std::vector<Double3> seen_colours(const Image& opponent, double pixels_per_degre
     return seen.pixels;
 }
 
-// x: how much of an edge, y: of a point.
 std::vector<Double3> features(const Image& opponent, double pixels_per_degree) {
     Image light = opponent;
     for (Double3& p : light.pixels) p = ((p.x + 16) / 116) * Double3(1, 1, 1);
@@ -195,17 +206,16 @@ Image opponent_of(const Image& srgb) {
 
 }  // namespace
 
-std::vector<double> flip(const Image& reference_srgb, const Image& test_srgb,
-                         double pixels_per_degree) {
-    const Image a = opponent_of(reference_srgb), b = opponent_of(test_srgb);
-    const auto colours_a = seen_colours(a, pixels_per_degree),
-               colours_b = seen_colours(b, pixels_per_degree);
-    const auto features_a = features(a, pixels_per_degree),
-               features_b = features(b, pixels_per_degree);
+FlipSide flip_side(const Image& srgb, double pixels_per_degree) {
+    const Image opponent = opponent_of(srgb);
+    return {seen_colours(opponent, pixels_per_degree), features(opponent, pixels_per_degree)};
+}
+
+std::vector<double> flip(const FlipSide& a, const FlipSide& b) {
     std::vector<double> made;
-    for (size_t i = 0; i < a.pixels.size(); ++i)
-        made.push_back(std::pow(colour_difference(colours_a[i], colours_b[i]),
-                                1 - feature_difference(features_a[i], features_b[i])));
+    for (size_t i = 0; i < a.colours.size(); ++i)
+        made.push_back(std::pow(colour_difference(a.colours[i], b.colours[i]),
+                                1 - feature_difference(a.features[i], b.features[i])));
     return made;
 }
 

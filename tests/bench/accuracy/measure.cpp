@@ -54,6 +54,8 @@ public:
           amount_(amount),
           staged_(staged),
           references_(make_references(staged_, amount.width, amount.height)),
+          truth_(references_.truth),
+          centres_(references_.centres),
           on_device_(run.device, staged_) {
         write_picture("truth", references_.truth);
         write_picture("centres", references_.centres);
@@ -77,6 +79,7 @@ private:
     const Amount& amount_;
     const Staged& staged_;
     const References references_;
+    const Shown truth_, centres_;
     const SceneOnDevice on_device_;
     std::vector<cl_float4> default_pixels_;
     std::map<cl_uint, hits::Errors> first_waves_;  // by width
@@ -126,16 +129,17 @@ void SceneRun::check(Entry& entry) {
         entry.metrics["differ"] = differ;
         entry.is_wrong = differ > 0;
     }
-    const Image shown = in_base_size(image_of(pixels, entry.width, entry.height));
-    compare(references_.truth, shown, references_.is_edge).put(entry.metrics, "");
-    compare(references_.centres, shown, references_.is_edge).put(entry.metrics, "_centres");
+    const Image image = in_base_size(image_of(pixels, entry.width, entry.height));
+    const Shown shown(image);
+    compare(truth_, shown, references_.is_edge).put(entry.metrics, "");
+    compare(centres_, shown, references_.is_edge).put(entry.metrics, "_centres");
     const hits::Errors& errors = first_wave(entry.width, entry.height);
     errors.put(entry.metrics);
     entry.is_wrong |= errors.all() > 0;
     if (&entry == &entries_.front()) entry.metrics["reference_cut"] = references_.cut_pixels;
     std::string name = entry.point.axis + "_" + entry.point.value;
     std::replace(name.begin(), name.end(), '/', '_');
-    const std::string file = write_picture(name, shown);
+    const std::string file = write_picture(name, image);
     if (!file.empty()) entry.metrics["picture"] = file;
 }
 
@@ -184,16 +188,19 @@ void SceneRun::time() {
     }
 }
 
-// ratio: the default's time over this one's in the same round; above 1, this is quicker.
+// ratio: the default's time over this one's in the same round; above 1, this is quicker. ms: the
+// default's median over that, so that whatever slows the machine down for a while slows both.
 void SceneRun::put_times(Entry& entry) const {
-    const Spread ms = spread(entry.ms);
+    const std::vector<double>& base = entries_.front().ms;
     std::vector<double> ratios;
-    for (size_t i = 0; i < std::min(entry.ms.size(), entries_.front().ms.size()); ++i)
-        ratios.push_back(entries_.front().ms[i] / entry.ms[i]);
-    entry.metrics.update({{"ms", ms.median},
-                          {"ms_low", ms.low},
-                          {"ms_high", ms.high},
-                          {"ratio", spread(ratios).median},
+    for (size_t i = 0; i < std::min(entry.ms.size(), base.size()); ++i)
+        ratios.push_back(base[i] / entry.ms[i]);
+    const double base_ms = spread(base).median;
+    const Spread ratio = spread(ratios);
+    entry.metrics.update({{"ms", base_ms / ratio.median},
+                          {"ms_low", base_ms / ratio.high},
+                          {"ms_high", base_ms / ratio.low},
+                          {"ratio", ratio.median},
                           {"rounds", entry.ms.size()}});
 }
 

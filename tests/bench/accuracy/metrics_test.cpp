@@ -27,6 +27,15 @@ Image pattern(double shift) {
     return image;
 }
 
+std::vector<double> flip_of(const Image& a, const Image& b,
+                            double pixels_per_degree = kPixelsPerDegree) {
+    return flip(flip_side(a, pixels_per_degree), flip_side(b, pixels_per_degree));
+}
+
+PictureErrors compared(const Image& a, const Image& b, const std::vector<bool>& is_edge) {
+    return compare(Shown(a), Shown(b), is_edge);
+}
+
 double mean(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values) sum += value;
@@ -61,7 +70,7 @@ TEST(Image, IsClippedAndEncodedForAScreen) {
 
 TEST(PictureErrors, AreNoneOfThePictureItself) {
     const Image image = pattern(0);
-    const PictureErrors e = compare(image, image, std::vector<bool>(32 * 24));
+    const PictureErrors e = compared(image, image, std::vector<bool>(32 * 24));
     EXPECT_EQ(e.rmse + e.rmse_inside + e.wrong_pixels + e.flip + e.flip_above, 0);
 }
 
@@ -74,7 +83,7 @@ TEST(PictureErrors, CountInsideWhatIsAtNoEdge) {
         shown.pixels[i].y = 0.01002282557;  // 0.1 in sRGB
         is_edge[i] = true;
     }
-    const PictureErrors e = compare(reference, shown, is_edge);
+    const PictureErrors e = compared(reference, shown, is_edge);
     EXPECT_NEAR(e.rmse, std::sqrt(0.01 / 3 / 4), 1e-9);
     EXPECT_EQ(e.wrong_pixels, 0.25);
     EXPECT_EQ(e.rmse_inside, 0);
@@ -86,7 +95,7 @@ TEST(PictureErrors, ForgiveTwoStepsOf255) {
     Image b = a;
     b.pixels[0].x = 0.98230;  // 253
     b.pixels[1].x = 0.97345;  // 252
-    EXPECT_EQ(compare(a, b, {false, false}).wrong_pixels, 0.5);
+    EXPECT_EQ(compared(a, b, {false, false}).wrong_pixels, 0.5);
 }
 
 TEST(Edges, AreWhereTheMaterialOrTheDepthChanges) {
@@ -107,13 +116,13 @@ TEST(Edges, AreWhereTheMaterialOrTheDepthChanges) {
 
 // Of black and white the largest, and of equal pictures nothing.
 TEST(Flip, ReachesFromNoneToAlmostAll) {
-    EXPECT_EQ(mean(flip(pattern(1), pattern(1))), 0);
-    EXPECT_NEAR(mean(flip(plain(8, 8, {0, 0, 0}), plain(8, 8, {1, 1, 1}))), 0.967388, 1e-5);
+    EXPECT_EQ(mean(flip_of(pattern(1), pattern(1))), 0);
+    EXPECT_NEAR(mean(flip_of(plain(8, 8, {0, 0, 0}), plain(8, 8, {1, 1, 1}))), 0.967388, 1e-5);
 }
 
 // What flip_figures.py printed, by flip-evaluator 1.7.
 TEST(Flip, IsThatOfItsAuthorsProgram) {
-    const std::vector<double> map = flip(pattern(0), pattern(1));
+    const std::vector<double> map = flip_of(pattern(0), pattern(1));
     EXPECT_NEAR(mean(map), 0.089489, 1e-5);
     const struct {
         size_t x, y;
@@ -123,7 +132,7 @@ TEST(Flip, IsThatOfItsAuthorsProgram) {
     for (const auto& pixel : some)
         EXPECT_NEAR(map[pixel.y * 32 + pixel.x], pixel.flip, 1e-5)
             << pixel.x << ", " << pixel.y;
-    EXPECT_NEAR(mean(flip(pattern(0), pattern(1), 30)), 0.077142, 1e-5);
+    EXPECT_NEAR(mean(flip_of(pattern(0), pattern(1), 30)), 0.077142, 1e-5);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "accuracy/flip.hpp"
-
 namespace bench::accuracy {
 namespace {
 
@@ -34,18 +32,18 @@ struct Sum {
 
 }  // namespace
 
-PictureErrors compare(const Image& reference, const Image& shown,
+PictureErrors compare(const Shown& reference, const Shown& shown,
                       const std::vector<bool>& is_edge) {
-    const Image a = to_srgb(reference), b = to_srgb(shown);
+    const std::vector<Double3>&a = reference.srgb.pixels, &b = shown.srgb.pixels;
     Sum all, inside;
-    for (size_t i = 0; i < a.pixels.size(); ++i) {
-        all.add(a.pixels[i], b.pixels[i]);
-        if (!is_edge[i]) inside.add(a.pixels[i], b.pixels[i]);
+    for (size_t i = 0; i < a.size(); ++i) {
+        all.add(a[i], b[i]);
+        if (!is_edge[i]) inside.add(a[i], b[i]);
     }
     PictureErrors errors = {all.rmse(), inside.rmse(), all.wrong_share(), inside.wrong_share()};
-    for (const double f : flip(a, b)) {
-        errors.flip += f / double(a.pixels.size());
-        errors.flip_above += (f > kMostFlip) / double(a.pixels.size());
+    for (const double f : flip(reference.flip, shown.flip)) {
+        errors.flip += f / double(a.size());
+        errors.flip_above += (f > kMostFlip) / double(a.size());
     }
     return errors;
 }

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "accuracy/image.hpp"
+#include "accuracy/flip.hpp"
 
 namespace bench::accuracy {
 
@@ -23,8 +23,16 @@ struct PictureErrors {
     void put(nlohmann::json& metrics, const char* suffix) const;
 };
 
+// A picture as it is compared.
+struct Shown {
+    explicit Shown(const Image& linear) : srgb(to_srgb(linear)), flip(flip_side(srgb)) {}
+
+    Image srgb;
+    FlipSide flip;
+};
+
 // is_edge: per pixel. Of one size.
-PictureErrors compare(const Image& reference, const Image& shown,
+PictureErrors compare(const Shown& reference, const Shown& shown,
                       const std::vector<bool>& is_edge);
 
 }  // namespace bench::accuracy

@@ -13,10 +13,10 @@ import json
 import math
 import pathlib
 import sys
-import textwrap
 
-BEGIN = "<!-- hits: tests/bench/hits/report.py writes from here -->"
-END = "<!-- hits: to here -->"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import page_section
+
 WRONG = ("missed", "spurious", "wrong_triangle")
 BASE = "tiles/box"
 COLOURS = {"tiles/box": "tab:green", "paper/box": "tab:olive", "paper_faithful/cone": "tab:cyan",
@@ -94,8 +94,7 @@ def table(document):
 
 def about(document):
     """What the figures were measured on, and what is no column of the table."""
-    device, by = document["device"], grouped(document["cases"], "contender")
-    program, *arguments = document["command"].split()
+    by = grouped(document["cases"], "contender")
 
     def counts(key):
         return ", ".join(f"{total(by[name], [key])} with {name.replace('/', ' ')}"
@@ -103,11 +102,8 @@ def about(document):
 
     lines = [f"- Rays that left a closed scene: {counts('leaks')}.",
              f"- Right triangles with a `t`, `u` or `v` beyond the bound: {counts('inexact')}.",
-             f"- {device['name']}, {device['compute_units']} compute units, "
-             f"{device['platform']} {device['driver']}, commit {document['rsh']['commit']}; "
-             f"`{pathlib.PurePath(program).name} {' '.join(arguments)}`."]
-    return "\n".join(textwrap.fill(line, 108, subsequent_indent="  ", break_on_hyphens=False)
-                     for line in lines)
+             page_section.measured_on(document)]
+    return page_section.wrapped(lines)
 
 
 def height(case, place):
@@ -161,14 +157,6 @@ def plot(document, path):
     figure.savefig(path, metadata={"Date": None})
 
 
-def written(page, text):
-    """The page with the table in its place."""
-    parts = page.read_text().split(BEGIN)
-    if len(parts) != 2 or parts[1].count(END) != 1:
-        raise SystemExit(f"{page}: must have one line \"{BEGIN}\" and one \"{END}\" behind it")
-    return parts[0] + BEGIN + "\n\n" + text + "\n\n" + END + parts[1].split(END)[1]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("file", type=pathlib.Path)
@@ -180,10 +168,9 @@ def main():
     if options.plot:
         plot(document, options.plot)
     if options.readme:
-        options.readme.write_text(written(options.readme, text))
-    if options.check and written(options.check, text) != options.check.read_text():
-        raise SystemExit(f"{options.check}: the table is not that of {options.file}: write it "
-                         f"with report.py {options.file} --readme {options.check}")
+        options.readme.write_text(page_section.written(options.readme, "hits", text))
+    if options.check:
+        page_section.check(options.check, "hits", text, options.file)
     if not (options.plot or options.readme or options.check):
         sys.stdout.write(text + "\n")
 
