@@ -21,8 +21,8 @@ constexpr uint32_t kQuickWidth = 96, kUsualWidth = 256;
 Amount amount_of(bool quick, uint32_t width, const std::string& pictures) {
     if (width == 0) width = quick ? kQuickWidth : kUsualWidth;
     const uint32_t height = width / 4 * 3;
-    if (quick) return {width, height, 2e8, 1e9, 8, 21, pictures};
-    return {width, height, 1e9, 1e9, 15, 21, pictures};
+    if (quick) return {width, height, 2e8, 5e8, 8, 21, pictures};
+    return {width, height, 1e9, 5e8, 10, 21, pictures};
 }
 
 struct Selected {

@@ -27,9 +27,9 @@ struct Entry {
     bool is_wrong = false;
     std::vector<double> ms = {};
 
-    // A wrong picture has no speed; seconds per frame tell all there is to tell after one.
+    // A wrong picture has no speed; what is slow tells all there is to tell after one.
     bool is_done() const {
-        constexpr double kSlowMs = 1500;
+        constexpr double kSlowMs = 500;
         return !frame || is_wrong || (!ms.empty() && ms.back() > kSlowMs);
     }
 };
@@ -93,7 +93,7 @@ std::string SceneRun::why_not(const Entry& entry) const {
         return "the scene has no " + entry.point.axis;
     const double pairs =
         double(entry.width) * entry.height * staged_.scene.mesh.triangle_count();
-    if (setting.engine != RSH_ENGINE_TILES && pairs > amount_.pairs)
+    if (setting.engine == RSH_ENGINE_BRUTE_FORCE && pairs > amount_.pairs)
         return fmt::format("{:.2g} pairs of a pixel and a triangle, at most {:.2g}", pairs,
                            amount_.pairs);
     return {};

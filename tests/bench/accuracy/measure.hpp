@@ -10,7 +10,7 @@ namespace bench::accuracy {
 struct Amount {
     uint32_t width, height;  // of the default picture, 4 : 3, multiples of 4
     double decisions;      // of the oracle, per picture: pairs of a camera's ray and a triangle
-    double pairs;          // the same, that an engine without an early exit may meet
+    double pairs;          // the same, that brute force may meet
     double seconds;        // of timed rounds, about
     size_t rounds;         // at most
     std::string pictures;  // a folder to write them to; empty: they are not written
