@@ -11,10 +11,6 @@
 #include "surface/spawned_ray.h"
 #include "surface/start.h"
 
-#ifndef RSH_TRANSMISSION
-#define RSH_TRANSMISSION 1 /* 0: mirror rays need not know what transmits light */
-#endif
-
 /* Hits that send rays on. */
 typedef struct branch_lanes {
     surface_lanes surface;
@@ -29,7 +25,8 @@ static bool may_branch(const surface_buffers* buffers, __global const rsh_materi
 {
     if (primitive >= buffers->mesh.triangle_count) return false;
     __global const rsh_material* material = materials + material_of(buffers, primitive);
-    const bool may_transmit = RSH_TRANSMISSION || kinds >> RSH_REFRACTED & 1;
+    const bool may_transmit =
+        has_transmission(buffers->mesh.features) || kinds >> RSH_REFRACTED & 1;
     if (may_transmit && largest3(material->transmission.xyz) > 0.0f) return true;
     return kinds >> RSH_REFLECTED & 1 && largest3(material->reflection.xyz) > 0.0f;
 }
@@ -54,7 +51,8 @@ static void split_light(__global const rsh_material* materials, uint kinds, uint
     const float3v reflection = {row[0], row[1], row[2]};
     at->weight[RSH_REFLECTED] = reflection;
     at->weight[RSH_REFRACTED] = lanes_of((float3)(0.0f));
-    if (!RSH_TRANSMISSION && !(kinds >> RSH_REFRACTED & 1)) return;
+    const bool may_transmit = has_transmission(at->surface.features);
+    if (!may_transmit && !(kinds >> RSH_REFRACTED & 1)) return;
     load_colours(&materials->transmission, at->surface.material, row);
     const float3v transmission = {row[0], row[1], row[2]};
     const intv transmits = largest_v(transmission) > (floatv)(0.0f);
@@ -63,7 +61,7 @@ static void split_light(__global const rsh_material* materials, uint kinds, uint
     const floatv share = reflectance(&at->glass), rest = (floatv)(1.0f) - share;
     const float3v none = lanes_of((float3)(0.0f));
     const float3v both = sum_v((float3v){share, share, share}, scaled_v(rest, reflection));
-    if (RSH_TRANSMISSION) at->weight[RSH_REFLECTED] = select_v(reflection, both, transmits);
+    if (may_transmit) at->weight[RSH_REFLECTED] = select_v(reflection, both, transmits);
     at->weight[RSH_REFRACTED] = select_v(none, scaled_v(rest, transmission), transmits);
 }
 

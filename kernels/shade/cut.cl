@@ -52,15 +52,16 @@ __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
                       __global const uint* material_ids, __global const rsh_material* materials,
                       uint material_count, __global const rsh_texture* textures,
                       uint texture_count, __global const uint* texels, uint environment_image,
-                      float4 colour_of_cut, uint is_plain, uint kinds, float min_weight,
+                      float4 colour_of_cut, uint is_ambient, uint kinds, float min_weight,
                       uint ray_count, __global const uint* list_count,
                       __global const rsh_ray* rays, __global const rsh_hit* hits,
                       __global const float4* weights, __global float4* colour)
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
+    const bool is_plain = is_ambient || !has_environment_image(mesh.features);
     const cut_light light = {
-        {textures, texture_count, texels}, environment_image, is_plain != 0, colour_of_cut.xyz};
+        {textures, texture_count, texels}, environment_image, is_plain, colour_of_cut.xyz};
     const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];

@@ -5,10 +5,6 @@
 #include "shade/texture.h"
 #include "surface/surface.h"
 
-#ifndef RSH_TEXTURE
-#define RSH_TEXTURE 0
-#endif
-
 /* Of the materials of a block: what is lit. */
 typedef struct material_lanes {
     float3v emission, ambient, diffuse, specular;
@@ -45,7 +41,7 @@ static float3v texture_colours(const surface_buffers* buffers, const image_list*
                                __global const rsh_material* materials, const ray_lanes* block,
                                const surface_lanes* surface, uint bits)
 {
-    if (!RSH_TEXTURE) return lanes_of((float3)(1.0f));
+    if (!has_textures(buffers->mesh.features)) return lanes_of((float3)(1.0f));
     float row[3][RSH_WIDTH], u[RSH_WIDTH], v[RSH_WIDTH];
     store_lanes(block->u, u);
     store_lanes(block->v, v);

@@ -17,6 +17,7 @@ typedef struct look_buffers {
     image_list images;
     float3 ambient, environment;
     uint environment_image;
+    uint features; /* of the scene */
 } look_buffers;
 
 /* Where a block of rays ends: on surfaces, for the lanes in `found`. */
@@ -46,7 +47,7 @@ RSH_CALLED static void find_seen(const surface_buffers* buffers, const look_buff
 /* What the lanes in `bits` see, which hit nothing. */
 static float3v see_environment(const look_buffers* look, const ray_lanes* block, uint bits)
 {
-    if (!RSH_ENVIRONMENT_IMAGE) return lanes_of(look->environment);
+    if (!has_environment_image(look->features)) return lanes_of(look->environment);
     float row[3][RSH_WIDTH], seen[3][RSH_WIDTH];
     store_v(block->direction, row);
     for (uint k = 0; k < RSH_WIDTH; ++k) {

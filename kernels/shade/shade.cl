@@ -51,7 +51,8 @@ __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                                {textures, texture_count, texels},
                                ambient.xyz,
                                environment.xyz,
-                               environment_image};
+                               environment_image,
+                               mesh.features};
     const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];

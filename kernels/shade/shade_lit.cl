@@ -95,7 +95,8 @@ __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
                                {textures, texture_count, texels},
                                ambient.xyz,
                                environment.xyz,
-                               environment_image};
+                               environment_image,
+                               mesh.features};
     const lit_pass pass = {lights[light], shadow_lights, is_base,      is_first,
                            rays,          hits,          weights,      occlusion,
                            colour,        spawned_rays,  spawned_skip, light_colour};

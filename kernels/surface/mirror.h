@@ -51,8 +51,9 @@ static float3v mirrored(float3v d, twofold3v n)
 
 static float3v mirror_directions(const surface_lanes* surface, const departure_lanes* from)
 {
-    return mirrored(from->direction,
-                    RSH_SMOOTH_NORMAL ? smooth_normals_at(surface, from) : from->normal);
+    return mirrored(from->direction, has_smooth_normals(surface->features)
+                                         ? smooth_normals_at(surface, from)
+                                         : from->normal);
 }
 
 #endif

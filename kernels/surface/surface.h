@@ -7,10 +7,7 @@
 #include "lanes/rows.h"
 #include "mesh/algebra_lanes.h"
 #include "rays/types.h"
-
-#ifndef RSH_SMOOTH_NORMAL
-#define RSH_SMOOTH_NORMAL 0 /* 1: normals are interpolated between the vertices */
-#endif
+#include "surface/features.h"
 
 /* The buffers of rsh_scene that say what the triangles are like. */
 typedef struct surface_buffers {
@@ -46,6 +43,7 @@ typedef struct surface_lanes {
     intv is_outside;   /* mask: the ray comes from the side of (v1 - v0) x (v2 - v0)          */
     uint material[RSH_WIDTH];
     float3v vertex_normals[3]; /* if normals are interpolated                                 */
+    uint features;             /* of the scene                                                */
 } surface_lanes;
 
 static uint material_of(const surface_buffers* buffers, uint triangle)
@@ -246,7 +244,7 @@ static uint load_surfaces(const surface_buffers* buffers, const ray_lanes* block
     surface->v0 = load_points(vertices, mesh.vertex_stride, corner[0]);
     surface->v1 = load_points(vertices, mesh.vertex_stride, corner[1]);
     surface->v2 = load_points(vertices, mesh.vertex_stride, corner[2]);
-    if (RSH_SMOOTH_NORMAL) load_vertex_normals(buffers, corner, surface);
+    if (has_smooth_normals(mesh.features)) load_vertex_normals(buffers, corner, surface);
     for (uint k = 0; k < RSH_WIDTH; ++k)
         surface->material[k] = bits >> k & 1 ? material_of(buffers, block->primitive[k]) : 0;
     return bits;
@@ -272,7 +270,8 @@ RSH_CALLED static uint find_surfaces(const surface_buffers* buffers, const ray_l
     surface->is_outside = dot_v(normal, surface->incident) <= zero;
     surface->geometric = select_v(opposite_v(normal), normal, surface->is_outside);
     surface->point = sum_v(surface->v0, offset_from_v0(surface, block));
-    surface->normal = RSH_SMOOTH_NORMAL
+    surface->features = buffers->mesh.features;
+    surface->normal = has_smooth_normals(surface->features)
                           ? smooth_normals(surface->vertex_normals, block, surface->geometric)
                           : surface->geometric;
     return bits & RSH_LANE_BITS(dot_v(normal, normal) > zero);

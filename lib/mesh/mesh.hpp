@@ -28,6 +28,7 @@ inline mesh_view mesh_view_of(const rsh_scene& scene) {
     mesh.normals_first_low = static_cast<cl_uint>(normals_first);
     mesh.normals_first_high = static_cast<cl_uint>(normals_first >> 32);
     mesh.normal_stride = (scene.normal_stride ? scene.normal_stride : 12) / 4;
+    mesh.features = scene.features;
     return mesh;
 }
 
