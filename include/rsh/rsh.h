@@ -148,10 +148,15 @@ typedef struct rsh_context_s* rsh_context;
 
 /* Called with one line about what a call does that takes long or falls back: a program compiled
  * or loaded from disk and how long that took, a program on disk that was refused, a strategy that
- * the self-test masked. From the calling thread, which may be any and several at once, or that of
- * rsh_prepare; must not call rsh on that context. The text is gone when it returns. What it throws,
- * as other callbacks do, ends the call with RSH_INTERNAL_ERROR. */
+ * the self-test masked, a variant that failed where a general program serves. From the calling
+ * thread, which may be any and several at once, or that of rsh_prepare; must not call rsh on that
+ * context. The text is gone when it returns. What it throws, as other callbacks do, ends the call
+ * with RSH_INTERNAL_ERROR. */
 typedef void (*rsh_log)(const char* message, void* user);
+
+/* The variants that a program has at most, see rsh_create_context; and to do without any. */
+#define RSH_MAX_VARIANTS 16u
+#define RSH_NO_VARIANTS 0xffffffffu
 
 typedef struct rsh_context_desc {
     size_t struct_size;
@@ -167,6 +172,8 @@ typedef struct rsh_context_desc {
     rsh_log log;            /* NULL: silence */
     void* log_user;         /* handed to `log`; must live as long as the context */
     cl_ulong cache_bytes;   /* what programs on disk may take together; 0: 256 MiB */
+    cl_uint max_variants;   /* variants that are compiled of one program; 0: RSH_MAX_VARIANTS,
+                               which is all; or RSH_NO_VARIANTS */
 } rsh_context_desc;
 
 /* Makes a context. Compiles nothing: a program is built by the first call that needs it, which
@@ -183,14 +190,19 @@ typedef struct rsh_context_desc {
  *          recently, to store or to load, are removed until all fit into `cache_bytes`; a program
  *          that is larger by itself, or than 64 MiB, is not stored. Any number of contexts, threads
  *          and processes may use a folder at once; each keeps to its own cap.
- * Errors: RSH_INVALID_VALUE (device is not of the context), RSH_UNSUPPORTED (no OpenCL C 1.2,
- * no compiler, big-endian). Cost: microseconds. */
+ * Variants: what shading, spawning and rsh_find_surfaces run is compiled for four features of the
+ *          scene, RSH_FEATURE_REFRACTION, _TEXTURE, _SMOOTH_NORMAL and _ENVIRONMENT_IMAGE: 16
+ *          variants of one program. The general program asks the scene for them instead: the same
+ *          bits, but slower. Calls take it for a variant that is one more than `max_variants`, of
+ *          those that calls and rsh_prepare have named so far; and as rsh_prepare says.
+ * Errors: RSH_INVALID_VALUE (device is not of the context; max_variants), RSH_UNSUPPORTED (no
+ * OpenCL C 1.2, no compiler, big-endian). Cost: microseconds. */
 RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context* context);
 
 /* Frees a context made by rsh_create_context, its programs and its scratch memory, once the
  * commands enqueued by its calls have finished; does not wait for them, but BLOCKS for a program that
- * rsh_prepare is compiling in the background. While counting, the library must stay loaded until
- * the commands have finished. NULL is ignored. */
+ * is being compiled in the background, see rsh_prepare. While counting, the library must stay loaded
+ * until the commands have finished. NULL is ignored. */
 RSH_API void rsh_release_context(rsh_context context);
 
 /* Picks a device, for programs that have no context of their own: the first whose name, or
@@ -240,6 +252,9 @@ typedef struct rsh_statistics {
                                                   that bounce                                */
     cl_ulong scratch_bytes;                    /* in the context's pool                      */
     cl_ulong wrong_buffers;                    /* RSH_WRONG_... bits of all traversals       */
+    cl_ulong variants;                         /* compiled or loaded since the context was
+                                                  made; see rsh_create_context               */
+    cl_ulong general_launches;                 /* of `launches`, kernels of general programs */
 } rsh_statistics;
 
 /* Starts (enabled = 1) or stops counting on this context, from zero. Counting keeps the event
@@ -1142,6 +1157,7 @@ typedef struct rsh_prepare_desc {
                               not call rsh on that context. Nonzero leaves out the rest:
                               RSH_CANCELLED. NULL: none                                      */
     void* progress_user;   /* in the background it must live until rsh_wait_prepared         */
+    cl_bool general;       /* CL_TRUE: general programs too, and first; see rsh_prepare      */
 } rsh_prepare_desc;
 
 /* Compiles the programs that these calls will need, or loads them from disk, so that the calls do
@@ -1155,12 +1171,17 @@ typedef struct rsh_prepare_desc {
  *          context's, in the order of the calls of rsh_prepare. Every other call works meanwhile; one
  *          that needs a program that is being compiled waits for it, one whose program is still to come
  *          compiles it itself. rsh_release_context waits for the program that is being compiled and
- *          leaves out the rest; it, or rsh_wait_prepared, must have returned before the process
- *          ends.
+ *          leaves out the rest; it, or rsh_wait_prepared with no call after it, must have returned
+ *          before the process ends.
+ * General: with `general`, programs without variants and general ones come first, then the variants.
+ *          From then on, with this context, no call waits for a variant: calls take the general
+ *          program until the variant that they need is there, and have it compiled in the
+ *          background, whether or not it was named here. One that fails there is told to the log
+ *          alone, and is left to the general program unless rsh_prepare names it again.
  * Errors:  as the calls' queries, of a struct_size by the member's name. A program that fails to
  *          compile does not keep the others from it; the first failure is returned, in the background
- *          by rsh_wait_prepared, and the call that needs the program meets it again. RSH_OUT_OF_MEMORY
- *          also where no thread can be started.
+ *          by rsh_wait_prepared, and the call that needs the program meets it again, or takes the
+ *          general one. RSH_OUT_OF_MEMORY also where no thread can be started.
  * Cost:    BLOCKS until all are compiled, in the background for less than a millisecond. Some drivers
  *          (PoCL) finish a kernel for a size of work-groups only when it is first launched; that is
  *          left to the call. */

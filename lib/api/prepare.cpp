@@ -75,6 +75,18 @@ NeededPrograms needed_by(Context& context, const rsh_prepare_desc& desc) {
     return needed;
 }
 
+// With general programs, all that calls cannot do without comes before the variants.
+NeededPrograms in_order(const NeededPrograms& needed, Variants& variants, bool general) {
+    NeededPrograms all;
+    for (const KernelName& name : needed.kernels()) {
+        if (!general) break;
+        if (name.is_variant) variants.allow_general(name);
+        all.add(name.is_variant ? general_of(name) : name);
+    }
+    for (const KernelName& name : needed.kernels()) all.add(variants.in_advance(name));
+    return all;
+}
+
 }  // namespace
 }  // namespace rsh
 
@@ -85,8 +97,11 @@ rsh_status rsh_prepare(rsh_context context, const rsh_prepare_desc* desc) {
         rsh::Context& checked = rsh::checked_context(context);
         const rsh::Received<rsh_prepare_desc> received(desc);
         rsh::require(received->background <= 1, "background", received->background, "0 or 1");
-        rsh::Preparation preparation = {rsh::needed_by(checked, *received), received->progress,
-                                        received->progress_user};
+        rsh::require(received->general <= 1, "general", received->general, "0 or 1");
+        rsh::Preparation preparation = {
+            rsh::in_order(rsh::needed_by(checked, *received), checked.variants,
+                          received->general != CL_FALSE),
+            received->progress, received->progress_user};
         if (received->background)
             checked.preparer.start(std::move(preparation));
         else

@@ -131,6 +131,7 @@ rsh_status rsh_get_statistics(rsh_context context, rsh_statistics* statistics) {
         rsh_statistics sums = checked.statistics.sum();
         sums.programs_built = checked.programs.built();
         sums.programs_loaded = checked.programs.loaded();
+        sums.variants = checked.variants.made();
         sums.scratch_bytes = checked.pool.bytes();
         rsh::hand_back(sums, statistics);
     });

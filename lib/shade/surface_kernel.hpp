@@ -1,5 +1,5 @@
 // surface_kernel.hpp - which variant of the kernels that work on hits (programs/surface.cl) a
-// scene needs: one program per set of features.
+// scene needs: one program per set of features (kernels/surface/features.h).
 #pragma once
 
 #include <rsh/rsh.h>
@@ -16,7 +16,8 @@ inline KernelName surface_kernel(const rsh_scene& scene, const char* kernel) {
             define("RSH_SMOOTH_NORMAL", RSH_FEATURE_SMOOTH_NORMAL) +
                 define("RSH_TRANSMISSION", RSH_FEATURE_REFRACTION) +
                 define("RSH_TEXTURE", RSH_FEATURE_TEXTURE) +
-                define("RSH_ENVIRONMENT_IMAGE", RSH_FEATURE_ENVIRONMENT_IMAGE)};
+                define("RSH_ENVIRONMENT_IMAGE", RSH_FEATURE_ENVIRONMENT_IMAGE),
+            true};
 }
 
 }  // namespace rsh

@@ -579,6 +579,10 @@ TEST_F(Misuse, OfQueriesAndContextsIsRefused) {
     EXPECT_EQ(rsh_create_context(&create, &context), RSH_INVALID_VALUE);
     EXPECT_NE(std::string(rsh_last_error()).find("vector_width"), std::string::npos)
         << rsh_last_error();
+    create.vector_width = 0;
+    create.max_variants = RSH_MAX_VARIANTS + 1;
+    EXPECT_EQ(rsh_create_context(&create, &context), RSH_INVALID_VALUE);
+    test::expect_said({"max_variants", "17", "16", "RSH_NO_VARIANTS"});
     EXPECT_EQ(context, nullptr);
     rsh_release_context(nullptr);
 }

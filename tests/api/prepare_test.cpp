@@ -152,6 +152,10 @@ TEST_F(Prepare, RefusesWhatTheCallsRefuse) {
     EXPECT_EQ(rsh_prepare(own_.get(), &prepare), RSH_INVALID_VALUE);
     test::expect_said({"background", "2", "0 or 1"});
     prepare = prepare_desc();
+    prepare.general = 2;
+    EXPECT_EQ(rsh_prepare(own_.get(), &prepare), RSH_INVALID_VALUE);
+    test::expect_said({"general", "2", "0 or 1"});
+    prepare = prepare_desc();
     prepare.struct_size = 1;
     EXPECT_EQ(rsh_prepare(own_.get(), &prepare), RSH_INVALID_VALUE);
     test::expect_said({"struct_size", "1"});

@@ -16,7 +16,8 @@ namespace test {
 
 class ChangedKernels {
 public:
-    ChangedKernels(const std::string& file, const std::string& from, const std::string& to) {
+    ChangedKernels(const std::string& file, const std::string& from, const std::string& to,
+                   rsh_log log = nullptr, void* log_user = nullptr) {
         std::filesystem::create_directories(root_ / "include/rsh");
         std::filesystem::copy(source_tree() / "kernels", root_ / "kernels",
                               std::filesystem::copy_options::recursive);
@@ -29,6 +30,8 @@ public:
         desc.device = device().device();
         desc.cache_dir = "";
         desc.kernel_dir = folder.c_str();
+        desc.log = log;
+        desc.log_user = log_user;
         RSH_CHECK(rsh_create_context(&desc, &context_));
     }
     ~ChangedKernels() {

@@ -42,12 +42,17 @@ cl::CommandQueue Device::out_of_order_queue() const {
     return {context, device, supported & wanted};
 }
 
-OwnContext::OwnContext(cl_uint vector_width) {
-    rsh_context_desc desc = {};
+OwnContext::OwnContext(cl_uint vector_width)
+    : OwnContext([vector_width] {
+          rsh_context_desc desc = {};
+          desc.vector_width = vector_width;
+          return desc;
+      }()) {}
+
+OwnContext::OwnContext(rsh_context_desc desc) {
     desc.struct_size = sizeof desc;
     desc.context = device().context();
     desc.device = device().device();
-    desc.vector_width = vector_width;
     RSH_CHECK(rsh_create_context(&desc, &context_));
 }
 

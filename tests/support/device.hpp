@@ -33,6 +33,8 @@ std::string device_name();
 class OwnContext {
 public:
     explicit OwnContext(cl_uint vector_width = 0);
+    // As the descriptor says, on the device under test.
+    explicit OwnContext(rsh_context_desc desc);
     ~OwnContext();
     OwnContext(const OwnContext&) = delete;
     OwnContext& operator=(const OwnContext&) = delete;

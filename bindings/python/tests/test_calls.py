@@ -142,6 +142,12 @@ def test_programs_are_prepared_in_the_background():
     assert told[-1] == (len(told) - 1, len(told) - 1)
 
 
+def test_a_context_has_no_more_variants_than_there_are():
+    with pytest.raises(rsh.InvalidValueError, match="max_variants"):
+        rsh.Context(max_variants=rsh.MAX_VARIANTS + 1)
+    rsh.Context(max_variants=rsh.NO_VARIANTS).release()
+
+
 def test_what_progress_raises_is_raised_by_prepare(context):
     with pytest.raises(ZeroDivisionError):
         prepare(context, lambda done, count: 1 // 0, False)

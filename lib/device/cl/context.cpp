@@ -27,6 +27,14 @@ cl_uint checked_width(cl_uint requested, const DeviceCaps& caps) {
                 ", must be 0, 1, 4, 8 or 16");
 }
 
+size_t checked_variants(cl_uint requested) {
+    if (requested == 0) return RSH_MAX_VARIANTS;
+    if (requested == RSH_NO_VARIANTS) return 0;
+    if (requested <= RSH_MAX_VARIANTS) return requested;
+    throw Error(RSH_INVALID_VALUE, "max_variants: is ", requested, ", must be at most ",
+                RSH_MAX_VARIANTS, ", or RSH_NO_VARIANTS");
+}
+
 std::string kernel_folder(const char* requested) {
     if (requested) return requested;
     const char* folder = std::getenv("RSH_KERNEL_DIR");
@@ -69,9 +77,15 @@ Context::Context(const rsh_context_desc& desc)
       programs(desc.context, device, caps, log, caps.build_options(vector_width),
                {BinaryCache::folder_for(desc.cache_dir), desc.cache_bytes,
                 kernel_folder(desc.kernel_dir)}),
+      variants(programs, log, checked_variants(desc.max_variants)),
       pool(desc.context),
       wrong_buffers_(zeroed_word(desc.context)),
-      preparer(programs) {}
+      preparer(programs, log) {}
+
+KernelName Context::for_call(const KernelName& name) {
+    if (variants.is_to_follow(name)) preparer.follow(name);
+    return variants.for_call(name);
+}
 
 cl_device_id find_device(const char* name) {
     if (!name) name = std::getenv("RSH_DEVICE");

@@ -13,6 +13,7 @@
 #include "device/objects/handle.hpp"
 #include "device/programs/preparer.hpp"
 #include "device/programs/programs.hpp"
+#include "device/programs/variants.hpp"
 
 namespace rsh {
 
@@ -26,11 +27,16 @@ public:
     cl_uint vector_width;
     Log log;
     Programs programs;
+    Variants variants;
     ScratchPool pool;
     StatisticsLog statistics;
     UnderWay under_way;
     // Bit s: the strategy of value s gives wrong answers here; see rsh_device_selftest.
     std::atomic<cl_uint> unsafe_strategies{0};
+
+    // The program that a call takes for `name`. Where a general one serves in its place, it is compiled
+    // meanwhile.
+    KernelName for_call(const KernelName& name);
 
     // A word on the device: what traversals met that was not made for them, RSH_WRONG_...
     cl_mem wrong_buffers() const { return wrong_buffers_.get(); }

@@ -111,6 +111,10 @@ void Recorder::count(const std::function<void(rsh_statistics&)>& change) {
     if (!only_notes()) context_.statistics.add(change);
 }
 
+void Recorder::count_general_launch() {
+    count([](rsh_statistics& sums) { ++sums.general_launches; });
+}
+
 void Recorder::count_later(cl_mem buffer, size_t word_count, CountRead::Use use) {
     if (only_notes()) return;
     HostRead read(queue_, buffer, word_count, prepare());

@@ -48,10 +48,12 @@ public:
                 const Arguments&... arguments) {
         if (range.items == 0) return;
         if (needed_) return needed_->add(name);
-        BorrowedKernel kernel = context_.programs.borrow(name);
+        const KernelName taken = context_.for_call(name);
+        BorrowedKernel kernel = context_.programs.borrow(taken);
         cl_uint index = 0;
         (set_argument(kernel.get(), index++, arguments), ...);
         enqueue(stage, name, kernel.get(), range);
+        if (taken.is_variant != name.is_variant) count_general_launch();
     }
 
     // One work-item per element, in groups of the device's usual size.
@@ -102,6 +104,7 @@ private:
         require_success(opencl(kernel).clSetKernelArg(kernel, index, sizeof value, &value),
                         "clSetKernelArg");
     }
+    void count_general_launch();
     void enqueue(cl_uint stage, const KernelName& name, cl_kernel kernel, const Range& range);
     void record(cl_uint stage, Event event);
     void continue_after(Event event);

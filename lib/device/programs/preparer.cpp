@@ -1,6 +1,7 @@
 #include "device/programs/preparer.hpp"
 
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "device/error.hpp"
@@ -32,6 +33,13 @@ void Preparer::start(Preparation preparation) {
         throw;
     }
     is_running_ = true;
+}
+
+void Preparer::follow(const KernelName& name) {
+    Preparation preparation = {{}, nullptr, nullptr, false};
+    preparation.needed.add(name);
+    const rsh_status status = guarded([&] { start(preparation); });
+    if (status != RSH_SUCCESS) tell(preparation, {status, last_error()});
 }
 
 void Preparer::wait() {
@@ -80,6 +88,16 @@ Preparer::Failure Preparer::compile(const Preparation& preparation) noexcept {
     return first;
 }
 
+// The first line of the failure: what a compiler says may have many.
+void Preparer::tell(const Preparation& preparation, const Failure& failure) const noexcept {
+    const std::string_view message = failure.message;
+    guarded([&] {
+        log_(preparation.needed.kernels().front().program,
+             ".cl: a general program goes on to serve, as a variant fails: ",
+             message.substr(0, message.find('\n')));
+    });
+}
+
 void Preparer::run() noexcept {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!waiting_.empty() && !is_stopped_) {
@@ -87,8 +105,9 @@ void Preparer::run() noexcept {
         waiting_.pop_front();
         lock.unlock();
         Failure failure = compile(next);
+        if (!next.is_asked_for && failure.status != RSH_SUCCESS) tell(next, failure);
         lock.lock();
-        if (failure_.status == RSH_SUCCESS) failure_ = std::move(failure);
+        if (next.is_asked_for && failure_.status == RSH_SUCCESS) failure_ = std::move(failure);
     }
     is_running_ = false;
     has_ended_.notify_all();

@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "device/log.hpp"
 #include "device/programs/needed_programs.hpp"
 
 namespace rsh {
@@ -20,11 +21,12 @@ struct Preparation {
     NeededPrograms needed;
     rsh_progress progress;  // before each program, and after the last one; may be NULL
     void* progress_user;
+    bool is_asked_for = true;  // else its failure is told to the log alone
 };
 
 class Preparer {
 public:
-    explicit Preparer(Programs& programs) : programs_(programs) {}
+    Preparer(Programs& programs, const Log& log) : programs_(programs), log_(log) {}
     // BLOCKS for the program that is being compiled; the rest is left out.
     ~Preparer();
     Preparer(const Preparer&) = delete;
@@ -34,6 +36,8 @@ public:
     void prepare(const Preparation& preparation);
     // The same on the thread, behind what it has to do already.
     void start(Preparation preparation);
+    // The same for a program that no call asked for: whatever fails is told to the log.
+    void follow(const KernelName& name);
     // BLOCKS until the thread has nothing to do, and throws its first failure since the last time.
     void wait();
 
@@ -46,9 +50,11 @@ private:
     static void keep_first(Failure& first, rsh_status status) noexcept;
     static void throw_if_failed(const Failure& failure);
     Failure compile(const Preparation& preparation) noexcept;
+    void tell(const Preparation& preparation, const Failure& failure) const noexcept;
     void run() noexcept;
 
     Programs& programs_;
+    const Log& log_;
     std::atomic<bool> is_stopped_{false};
     std::mutex mutex_;  // of all below
     std::condition_variable has_ended_;

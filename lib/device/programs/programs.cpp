@@ -62,6 +62,7 @@ std::vector<std::vector<unsigned char>> binaries_of(cl_program program) {
 struct Programs::Program {
     std::mutex mutex;
     BuiltProgram program;
+    std::atomic<bool> is_built{false};
     std::map<std::string, IdleKernels> idle;
 };
 
@@ -107,9 +108,25 @@ Programs::Program& Programs::program(const KernelName& name) {
 BorrowedKernel Programs::borrow(const KernelName& name) {
     Program& entry = program(name);
     const std::lock_guard<std::mutex> lock(entry.mutex);
-    if (!entry.program) entry.program = make(name);
+    ensure(entry, name);
     IdleKernels& idle = entry.idle[name.kernel];
     return {idle, idle.take(entry.program.get(), name.kernel)};
+}
+
+void Programs::ensure(const KernelName& name) {
+    Program& entry = program(name);
+    const std::lock_guard<std::mutex> lock(entry.mutex);
+    ensure(entry, name);
+}
+
+bool Programs::is_built(const KernelName& name) {
+    return program(name).is_built;
+}
+
+// Under the entry's lock.
+void Programs::ensure(Program& entry, const KernelName& name) {
+    if (!entry.program) entry.program = make(name);
+    entry.is_built = true;
 }
 
 BuiltProgram Programs::make(const KernelName& name) {

@@ -23,6 +23,8 @@ struct KernelName {
     const char* program;
     const char* kernel;
     std::string options = {};
+    bool is_variant =
+        false;  // without its options the program serves as well; see variants.hpp
 };
 
 // Where programs come from and are kept.
@@ -69,6 +71,10 @@ public:
     ~Programs();
 
     BorrowedKernel borrow(const KernelName& name);
+    // BLOCKS until the program is there.
+    void ensure(const KernelName& name);
+    // Whether it is: does not wait for one that is being compiled.
+    bool is_built(const KernelName& name);
 
     unsigned built() const { return built_; }
     unsigned loaded() const { return loaded_; }
@@ -76,6 +82,7 @@ public:
 private:
     struct Program;
     Program& program(const KernelName& name);
+    void ensure(Program& entry, const KernelName& name);
     BuiltProgram make(const KernelName& name);
     BuiltProgram load(const std::string& key, const std::string& options);
     BuiltProgram compile(const KernelName& name, const std::string& source,

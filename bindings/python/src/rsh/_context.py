@@ -66,6 +66,8 @@ class Context:
         Is told, as a str, what takes long or falls back.
     cache_bytes : int, optional
         What the folder of compiled programs may take; 0: 256 MiB.
+    max_variants : int, optional
+        Variants that are compiled of one program, see rsh_create_context in rsh.h; 0: all.
 
     Attributes
     ----------
@@ -90,6 +92,7 @@ class Context:
         kernel_dir: str | None = None,
         log: Callable[[str], object] | None = None,
         cache_bytes: int = 0,
+        max_variants: int = 0,
     ) -> None:
         self._handle = ct.c_void_p()
         self._kept: list[object] = []
@@ -107,6 +110,7 @@ class Context:
             kernel_dir=kernel_dir,
             log=log,
             cache_bytes=cache_bytes,
+            max_variants=max_variants,
         )
         check(_create(ct.byref(self._desc), ct.byref(self._handle)))
 
