@@ -167,7 +167,10 @@ static void place_hits(sheared_rays r, const ray_space_corners* s, const floatv*
 {
     const floatv zero = (floatv)(0.0f);
     const floatv inverse = (floatv)(1.0f) / area;
-    for (uint i = 0; i < 3; ++i) hits->weight[i] = edge[i] * inverse;
+    /* Not a loop: compilers unroll it too late to keep the weights in registers. */
+    hits->weight[0] = edge[0] * inverse;
+    hits->weight[1] = edge[1] * inverse;
+    hits->weight[2] = edge[2] * inverse;
     const floatv depth =
         hits->weight[0] * s->az + hits->weight[1] * s->bz + hits->weight[2] * s->cz;
     const intv is_ahead =

@@ -5,6 +5,7 @@
 #include "lanes/sixteen.h"
 #include "mesh/triangles.h"
 #include "rays/tile_layout.h"
+#include "tuning.h"
 
 /* The rows of rsh_ray: origin x y z, tmin, direction x y z, tmax. */
 enum { RSH_TMIN = 3, RSH_DIRECTION = 4, RSH_TMAX = 7, RSH_RAY_ROWS = 8 };
@@ -57,12 +58,21 @@ static void load_whole_block(ray_tile tile, uint b, __global const rsh_ray* rays
 }
 #endif
 
+/* In the order of a sorted list, a ray's memory is nowhere near that of the one before: asks for a ray
+ * some places ahead, of this tile or the next. */
+static void expect_ray(ray_tile tile, uint place, __global const rsh_ray* rays)
+{
+    const uint i = tile.x + place + RSH_RAYS_AHEAD;
+    if (tile.order && i < tile.width) RSH_EXPECT_LOAD(rays + tile.order[i]);
+}
+
 static void load_part_of_block(ray_tile tile, uint b, __global const rsh_ray* rays,
                                ray_block* block)
 {
     float lane[RSH_RAY_ROWS][16];
     for (uint k = 0; k < 16; ++k) {
         const uint i = ray_of(tile, b, k);
+        expect_ray(tile, 16 * b + k, rays);
         float8 row = (float8)(0.0f);
         if (i != RSH_NO_RAY) row = vload8(0, (__global const float*)(rays + i));
         float values[RSH_RAY_ROWS];

@@ -7,6 +7,18 @@
 
 #include "traverse/tiles/state.h"
 
+/* Asks for the rows of the children that were met. All of them: which are next shows when they are
+ * sorted, and then there is no time left. */
+static void expect_children(const traversal_state* state, uint met, __global const uint* child)
+{
+    for (; met; met &= met - 1) {
+        const uint at = child[lowest_bit(met)];
+        __global const float* row = is_leaf(at) ? leaf_of(state, at) : node_of(state, at);
+        const uint rows = is_leaf(at) ? RSH_TRIANGLES_AT / 16 : RSH_CHILDREN_AT / 16 + 1;
+        for (uint i = 0; i < rows; ++i) RSH_EXPECT_LOAD(row + 16 * i);
+    }
+}
+
 /* Ray k of block b through a child: a leaf, or a node and all below it. */
 RSH_CALLED static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
 {
@@ -29,10 +41,11 @@ RSH_CALLED static void traverse_ray(traversal_state* state, uint b, uint k, uint
         __global const float* node = node_of(state, at);
         float near[16];
         count_for_ray(state, &state->node_tests, b, k);
+        __global const uint* children = (__global const uint*)node + RSH_CHILDREN_AT;
         const uint met = boxes_met_by_ray(&ray, node, near);
+        expect_children(state, met, children);
         state->stack_size +=
-            sort_boxes(met, near, 0, (__global const uint*)node + RSH_CHILDREN_AT,
-                       state->stack + state->stack_size);
+            sort_boxes(met, near, 0, children, state->stack + state->stack_size);
     }
     if (changed) store_single_ray(&ray, packet, k);
 }
