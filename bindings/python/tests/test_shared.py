@@ -137,7 +137,7 @@ def test_what_cannot_be_shared_is_refused(context, queue, share, monkeypatch):
         reduced(context, queue, plain, cl.SVM(kept), cl.SVM(count))
     with pytest.raises(ValueError, match=r"RayFloats.buffer has strides .*, must be C-contiguous"):
         RayFloats(buffer=cl.SVM(share(np.zeros((4, 4), np.float32)).T))
-    with pytest.raises(ValueError, match=r"ReduceDesc.output begins 4 bytes after its memory, must at a mul"):
+    with pytest.raises(ValueError, match=r"ReduceDesc.output begins 4 bytes into its memory, must be a mult"):
         reduced(context, queue, cl.SVM(kept), cl.SVM(share(np.zeros(65, np.uint32))[1:]), cl.SVM(count))
     other = cl.CommandQueue(cl.Context([context.device]))
     elsewhere = cla.zeros(other, 64, np.uint32, allocator=SVMAllocator(other.context, queue=other))

@@ -1,12 +1,14 @@
 """The generated structs against what the library describes."""
 
 import ctypes as ct
+import gc
 import importlib.util
 from pathlib import Path
 
 import numpy as np
 import pyopencl.array as cla
 import pytest
+from pyopencl.tools import ImmediateAllocator, MemoryPool
 
 import rsh
 from rsh import _library, structs
@@ -49,6 +51,19 @@ def test_every_function_and_constant_is_there(interface):
 def test_structs_in_buffers_are_dtypes():
     assert np.dtype(structs.Hit) == np.dtype([("t", "<f4"), ("u", "<f4"), ("v", "<f4"), ("primitive", "<u4")])
     assert np.dtype(structs.Material).itemsize == 128
+
+
+def test_a_struct_keeps_what_its_parts_referred_to(queue):
+    pool = MemoryPool(ImmediateAllocator(queue))
+    for outer in structs.ShadeDesc, structs.FrameDesc:
+        scene = structs.Scene(materials=cla.zeros(queue, 8, np.float32, allocator=pool))
+        desc = outer(scene=scene)
+        scene.materials = None
+        gc.collect()
+        assert pool.active_blocks == 1, desc
+        del desc
+        gc.collect()
+        assert pool.active_blocks == 0
 
 
 def test_what_is_no_member_or_of_a_wrong_type_is_refused(queue):

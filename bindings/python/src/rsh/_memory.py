@@ -35,13 +35,15 @@ def memory_object(value: Any) -> Any:
     data: Any = value.base_data
     if isinstance(data, cl.SVMPointer):
         return Shared(data, value.offset, value.nbytes, value.context)
+    if not isinstance(data, cl.MemoryObjectHolder | None):
+        raise TypeError(f"is an array in {type(data).__name__}, must be one in a buffer or shared memory")
     if data is None or value.offset == 0:
         return data
     return part(cl.Buffer.from_int_ptr(data.int_ptr), value.offset, value.nbytes)  # pools have other types
 
 
 def place_of(array: Array) -> tuple[Any, int]:
-    """Return the memory that an array lies in, and how many bytes before it: no place is too odd for that."""
+    """Return the memory that an array lies in, and its first byte there, which need not be aligned."""
     data: Any = array.base_data
     if not isinstance(data, cl.SVMPointer):
         return data, array.offset

@@ -22,7 +22,7 @@ class _Whole:
         self.memory, self.buffer = memory, memory.as_buffer(context)
 
 
-_wholes: WeakValueDictionary[tuple[int, int], _Whole] = WeakValueDictionary()
+_wholes: WeakValueDictionary[tuple[int, int, int], _Whole] = WeakValueDictionary()
 _lock = Lock()
 
 
@@ -44,7 +44,7 @@ class Shared:
         if self._context not in (None, context):
             raise ValueError("is shared virtual memory of another pyopencl.Context than the call's")
         require_shared(self._allocation, device)
-        key = context.int_ptr, self.int_ptr
+        key = context.int_ptr, self.int_ptr, self._allocation.size
         with _lock:
             whole = _wholes.get(key)
             if whole is None:
@@ -76,6 +76,8 @@ def allocation(memory: Any) -> Any:
 
 def part(buffer: Any, begin: int, size: int) -> Any:
     """Return a sub-buffer, whose place must be aligned as the device asks."""
+    if size == 0:
+        raise ValueError("holds 0 bytes, must hold some")
     try:
         return buffer.get_sub_region(begin, size, 0)
     except cl.Error as error:
@@ -83,7 +85,7 @@ def part(buffer: Any, begin: int, size: int) -> Any:
             raise
         bits = max(device.mem_base_addr_align for device in buffer.context.devices)
         raise ValueError(
-            f"begins {begin} bytes after its memory, must at a multiple of {bits // 8} on this device"
+            f"begins {begin} bytes into its memory, must be a multiple of {bits // 8} on this device"
         ) from None
 
 

@@ -50,7 +50,7 @@ class Struct(ct.Structure):
         except TypeError as error:
             raise TypeError(f"{type(self).__name__}.{name}: {error}") from None
 
-    def copy(self: "Kind") -> "Kind":
+    def copy(self: Kind) -> Kind:
         """Return another one of the same members, which keeps alive what they refer to."""
         copied = type(self).from_buffer_copy(self)
         copied.__dict__["_kept"] = dict(self.__dict__.get("_kept", {}))
@@ -93,11 +93,12 @@ def nested(struct: Struct, name: str, value: Any) -> Any:
 
 
 def pointed(struct: Struct, name: str, value: Any) -> int | None:
-    """Convert a pointer to a struct, which is that of `value` itself."""
+    """Convert a pointer to a struct: to a copy, for the same reason."""
     if value is not None and not isinstance(value, Struct):
         raise TypeError(f"{type(struct).__name__}.{name} is {type(value).__name__}, must be a struct of rsh")
-    _keep(struct, name, value)
-    return None if value is None else ct.addressof(value)
+    copied = None if value is None else value.copy()
+    _keep(struct, name, copied)
+    return None if copied is None else ct.addressof(copied)
 
 
 def vector(struct: Struct, name: str, value: Any) -> Any:

@@ -27,7 +27,7 @@ def watched(items: Iterable[Item], text: str) -> Iterable[Item]:
 class Bar:
     """A callable for `progress=` of rsh.prepare, rsh.traverse and the like, which draws a bar.
 
-    It goes at the end of a `with` statement, in which the call is made.
+    The call is made in a `with` statement; the bar disappears at its end.
 
     Parameters
     ----------
