@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "support/scene.hpp"
+#include "support/device_scene.hpp"
 
 namespace {
 

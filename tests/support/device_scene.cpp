@@ -1,3 +1,4 @@
+// device_scene.cpp - fills the buffers of an rsh_scene.
 #include "support/device_scene.hpp"
 
 namespace test {
