@@ -704,6 +704,9 @@ typedef struct rsh_trace_desc {
     cl_mem list_count;         /* as in rsh_build_desc                                       */
     cl_mem ray_masks;          /* as in rsh_traverse_desc                                    */
     cl_uint cull;              /* likewise                                                   */
+    cl_mem points;             /* closest, all: out: 3 floats per hit, packed: where on the triangle
+                                  it is, (1 - u - v) v0 + u v1 + v v2, the point of rsh_surface, bit
+                                  for bit; of a miss NaN. NULL: nobody wants them            */
 } rsh_trace_desc;
 
 RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* desc,
@@ -714,10 +717,10 @@ RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* de
  *
  * Effect:  the answers of rsh_traverse, bit for bit. Normals err by some ulp, slivers' too; where floats
  *          cannot tell one it is 0.
- *          list_count: normals and ids behind it stay as they are. So do all, where hits do not fit.
+ *          list_count: normals, points and ids behind it stay as they are. So do all, where hits do not fit.
  * Cost:    what the three calls cost, and what is asked for, each a program of its own that is compiled when
  *          it is first asked for: rays out of arrays a launch and 32 bytes of scratch per ray, read
- *          once more and written; normals, ids or both a launch.
+ *          once more and written; normals, points and ids together a launch.
  *          output_bytes of the query: as of rsh_traverse_query. */
 RSH_API rsh_status rsh_trace(rsh_context context, cl_command_queue queue,
                              const rsh_trace_desc* desc, cl_uint wait_count,

@@ -44,6 +44,13 @@ static float3v select_v(float3v a, float3v b, intv mask)
     return (float3v){select(a.x, b.x, mask), select(a.y, b.y, mask), select(a.z, b.z, mask)};
 }
 
+/* The barycentric point, as an offset from v0: an error of u or v moves it along the triangle only, and
+ * the size of the coordinates counts once, where it is added to v0. */
+static float3v barycentric_offset_v(float3v v0, float3v v1, float3v v2, floatv u, floatv v)
+{
+    return sum_v(scaled_v(u, minus_v(v1, v0)), scaled_v(v, minus_v(v2, v0)));
+}
+
 static floatv dot_v(float3v a, float3v b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static floatv largest_v(float3v v) { return fmax(v.x, fmax(v.y, v.z)); }
 

@@ -170,13 +170,10 @@ static float3v triangle_normals(const edge_lanes* edges)
                         sum_v(cross_v(edges->edge1.low, b), cross_v(a, edges->edge2.low))));
 }
 
-/* The barycentric point, as an offset from a corner: an error of u or v moves it along the
- * triangle only, and the size of the coordinates counts once, in the last sum. Good enough to
- * be lit; rays start at that of surface/departure.h. */
+/* Good enough to be lit; rays start at that of surface/departure.h. */
 static float3v offset_from_v0(const surface_lanes* surface, const ray_lanes* block)
 {
-    return sum_v(scaled_v(block->u, minus_v(surface->v1, surface->v0)),
-                 scaled_v(block->v, minus_v(surface->v2, surface->v0)));
+    return barycentric_offset_v(surface->v0, surface->v1, surface->v2, block->u, block->v);
 }
 
 /* Interpolated normals, turned to the side of `geometric`; zero or not finite: that one. Near

@@ -1,4 +1,4 @@
-/* describe_hits.cl - what else a caller wants to know of hits: their normals and meshes.
+/* describe_hits.cl - what else a caller wants to know of hits: their normals, points and meshes.
  *   ranges, range_count  in   the meshes; range_count 0: one, with id 0
  *   list_count           in   how many rays of ray_count there are; NULL: all
  *   hit_offsets          in   all: where each ray's hits begin, the last: how many there are; NULL:
@@ -6,6 +6,7 @@
  *   most                 all: hits that there is room for: if there are more, there are none
  *   hits                 in
  *   normals              out  three floats per hit, 0 of a miss; NULL: nobody wants them
+ *   points               out  three floats per hit, NaN of a miss; NULL: likewise
  *   geometry_ids         out  one per hit, RSH_NO_HIT of a miss; NULL: likewise
  */
 #define RSH_MESH_RANGES
@@ -68,14 +69,41 @@ static float3v normals_of(triangle_lanes given)
     return unit_v(twofold_cross_v(twofold_scaled_v(scale, a), twofold_scaled_v(scale, b)).high);
 }
 
-static void store_normals(float3v normal, uint count, __global float* normals)
+/* Where on their triangles `count` hits are. */
+static float3v points_of(triangle_lanes p, __global const rsh_hit* hits, uint count,
+                         uint triangle_count)
+{
+    float row[2][RSH_WIDTH];
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        const bool is_hit = k < count && hits[k].primitive < triangle_count;
+        row[0][k] = is_hit ? hits[k].u : NAN;
+        row[1][k] = is_hit ? hits[k].v : NAN;
+    }
+    return sum_v(
+        p.v0, barycentric_offset_v(p.v0, p.v1, p.v2, load_lanes(row[0]), load_lanes(row[1])));
+}
+
+static void store_vectors(float3v vector, uint count, __global float* vectors)
 {
     float row[3][RSH_WIDTH];
-    store_lanes(normal.x, row[0]);
-    store_lanes(normal.y, row[1]);
-    store_lanes(normal.z, row[2]);
+    store_lanes(vector.x, row[0]);
+    store_lanes(vector.y, row[1]);
+    store_lanes(vector.z, row[2]);
     for (uint k = 0; k < count; ++k)
-        vstore3((float3)(row[0][k], row[1][k], row[2][k]), k, normals);
+        vstore3((float3)(row[0][k], row[1][k], row[2][k]), k, vectors);
+}
+
+/* Of `count` hits; both may be NULL. */
+static void store_normals_and_points(mesh_view mesh, __global const float* vertices,
+                                     __global const uint* indices, __global const rsh_hit* hits,
+                                     uint count, __global float* normals,
+                                     __global float* points)
+{
+    if (!normals && !points) return;
+    const triangle_lanes triangles = load_triangles(mesh, vertices, indices, hits, count);
+    if (normals) store_vectors(normals_of(triangles), count, normals);
+    if (points)
+        store_vectors(points_of(triangles, hits, count, mesh.triangle_count), count, points);
 }
 
 static uint hits_of(uint ray_count, __global const uint* list_count,
@@ -97,14 +125,14 @@ __kernel void rsh_describe_hits(mesh_view mesh, __global const float* vertices,
                                 uint ray_count, __global const uint* list_count,
                                 __global const ulong* hit_offsets, uint most,
                                 __global const rsh_hit* hits, __global float* normals,
-                                __global uint* geometry_ids)
+                                __global float* points, __global uint* geometry_ids)
 {
     const strided_range mine = my_blocks(hits_of(ray_count, list_count, hit_offsets, most));
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         const uint count = min((uint)RSH_WIDTH, mine.end - i);
-        if (normals)
-            store_normals(normals_of(load_triangles(mesh, vertices, indices, hits + i, count)),
-                          count, normals + 3ul * i);
+        store_normals_and_points(mesh, vertices, indices, hits + i, count,
+                                 normals ? normals + 3ul * i : 0,
+                                 points ? points + 3ul * i : 0);
         for (uint k = 0; geometry_ids && k < count; ++k) {
             const uint triangle = hits[i + k].primitive;
             geometry_ids[i + k] = triangle < mesh.triangle_count

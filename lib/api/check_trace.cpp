@@ -72,6 +72,7 @@ void check_shape(const rsh_trace_desc& desc) {
                     });
     if (has_hits(desc)) return;
     refuse(desc.normals, "normals", "a query that lists no hits");
+    refuse(desc.points, "points", "a query that lists no hits");
     refuse(desc.geometry_ids, "geometry_ids", "a query that lists no hits");
 }
 
@@ -89,6 +90,7 @@ void check_buffers(const Context& context, const rsh_trace_desc& desc) {
     check_answers(buffers, pass);
     const cl_ulong hits = answer_bytes(pass) / sizeof(rsh_hit);
     buffers.optional_out("normals", desc.normals, hits * kVectorBytes);
+    buffers.optional_out("points", desc.points, hits * kVectorBytes);
     buffers.optional_out("geometry_ids", desc.geometry_ids, hits * sizeof(cl_uint));
     buffers.scratch(desc.scratch, trace_scratch(context, desc).bytes());
 }

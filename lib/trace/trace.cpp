@@ -85,7 +85,7 @@ void trace(Recorder& recorder, const rsh_trace_desc& desc) {
     if (has_nodes(desc)) build_nodes(recorder, desc, pass, scratch["build scratch"]);
     pass.scratch = scratch["traverse"];
     traverse(recorder, pass);
-    describe_hits(recorder, pass, desc.normals, desc.geometry_ids);
+    describe_hits(recorder, pass, {desc.normals, desc.points, desc.geometry_ids});
 }
 
 }  // namespace rsh

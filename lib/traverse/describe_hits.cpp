@@ -5,9 +5,9 @@
 
 namespace rsh {
 
-void describe_hits(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem normals,
-                   cl_mem geometry_ids) {
-    if (!normals && !geometry_ids) return;
+void describe_hits(Recorder& recorder, const rsh_traverse_desc& desc,
+                   const HitDescriptions& wanted) {
+    if (!wanted.normals && !wanted.points && !wanted.geometry_ids) return;
     const rsh_geometry& geometry = desc.geometry;
     const auto rays = static_cast<cl_uint>(ray_count(desc.width, desc.height));
     const bool is_all = desc.query == RSH_QUERY_ALL;
@@ -16,7 +16,8 @@ void describe_hits(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem nor
     recorder.launch(RSH_STAGE_OTHER, {"traverse/describe_hits", "rsh_describe_hits"},
                     recorder.stream_range(most), mesh_view_of(geometry), geometry.vertices,
                     geometry.indices, geometry.ranges, geometry.range_count, rays,
-                    desc.list_count, offsets, most, desc.hits, normals, geometry_ids);
+                    desc.list_count, offsets, most, desc.hits, wanted.normals, wanted.points,
+                    wanted.geometry_ids);
 }
 
 }  // namespace rsh

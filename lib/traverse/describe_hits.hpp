@@ -5,8 +5,13 @@
 
 namespace rsh {
 
-// desc: of the traversal that found the hits. normals, geometry_ids: NULL: nobody wants them.
-void describe_hits(Recorder& recorder, const rsh_traverse_desc& desc, cl_mem normals,
-                   cl_mem geometry_ids);
+// What is wanted, as in rsh_trace_desc; NULL: it is not.
+struct HitDescriptions {
+    cl_mem normals, points, geometry_ids;
+};
+
+// desc: of the traversal that found the hits.
+void describe_hits(Recorder& recorder, const rsh_traverse_desc& desc,
+                   const HitDescriptions& wanted);
 
 }  // namespace rsh

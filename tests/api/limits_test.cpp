@@ -151,7 +151,7 @@ TEST_F(Queries, ReadNoBuffers) {
     rsh_trace_desc bare_trace = trace;
     bare_trace.hits = bare_trace.geometry.vertices = nullptr;
     trace.origins.buffer = trace.directions.buffer = valid_.rays.get();
-    trace.normals = trace.geometry_ids = valid_.colour.get();
+    trace.normals = trace.points = trace.geometry_ids = valid_.colour.get();
     expect_same_sizes(trace, bare_trace);
 
     rsh_reduce_desc bare_reduce = valid_.reduce();

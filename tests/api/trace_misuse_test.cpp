@@ -131,6 +131,8 @@ TEST_F(MisuseOfTrace, OfAnswersIsRefused) {
             {"occlusion_bit", "32"});
     refuses(any, [this](Desc& d) { d.normals = whole_(); }, RSH_INVALID_VALUE,
             {"normals", "NULL with a query that lists no hits"});
+    refuses(any, [this](Desc& d) { d.points = whole_(); }, RSH_INVALID_VALUE,
+            {"points", "NULL with a query that lists no hits"});
     refuses(any, [this](Desc& d) { d.geometry_ids = whole_(); }, RSH_INVALID_VALUE,
             {"geometry_ids", "NULL with a query that lists no hits"});
     refuses([](Desc& d) { d.query = RSH_QUERY_COUNT; }, {"hit_counts", "NULL"});
@@ -145,6 +147,8 @@ TEST_F(MisuseOfTrace, OfAnswersIsRefused) {
             {"hit_capacity", "2147483649", "2147483648"});
     refuses(all, [this](Desc& d) { d.normals = short_.get(); }, RSH_BUFFER_TOO_SMALL,
             {"normals", "4", "120"});
+    refuses(all, [this](Desc& d) { d.points = short_.get(); }, RSH_BUFFER_TOO_SMALL,
+            {"points", "4", "120"});
     refuses(all, [this](Desc& d) { d.geometry_ids = short_.get(); }, RSH_BUFFER_TOO_SMALL,
             {"geometry_ids", "4", "40"});
     refuses(valid_.trace(), [this](Desc& d) { d.normals = short_.get(); }, RSH_BUFFER_TOO_SMALL,
@@ -152,6 +156,7 @@ TEST_F(MisuseOfTrace, OfAnswersIsRefused) {
     refuses(valid_.trace(), [this](Desc& d) { d.geometry_ids = short_.get(); },
             RSH_BUFFER_TOO_SMALL, {"geometry_ids", "4", "256"});
     refuses([](Desc& d) { d.normals = d.hits; }, {"normals", "overlap", "hits"});
+    refuses([](Desc& d) { d.points = d.hits; }, {"points", "overlap", "hits"});
     refuses([](Desc& d) { d.geometry_ids = d.rays; }, {"geometry_ids", "overlap", "rays"});
 }
 

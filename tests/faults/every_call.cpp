@@ -99,6 +99,7 @@ rsh_trace_desc EveryCall::trace() const {
     desc.origins = {valid_.rays.get(), 0, sizeof(rsh_ray), 0};
     desc.directions = {valid_.rays.get(), 16, sizeof(rsh_ray), 0};
     desc.normals = normals_.get();
+    desc.points = points_.get();
     desc.geometry_ids = ids_.get();
     return desc;
 }

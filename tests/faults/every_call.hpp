@@ -57,7 +57,7 @@ private:
     cl::CommandQueue queue_{device().context, device().device};
     ValidCalls valid_;
     Buffer<uint8_t> box_bounds_{1u << 20}, box_nodes_{1u << 16}, list_nodes_{1u << 16};
-    Buffer<float> normals_{3 * kRays};
+    Buffer<float> normals_{3 * kRays}, points_{3 * kRays};
     Buffer<uint32_t> ids_{kRays};
     mutable cl_event done_ = nullptr;
     mutable rsh_context made_ = nullptr;

@@ -1,4 +1,5 @@
-// describe_test.cpp - normals and meshes of hits, against double precision and a search from the front.
+// describe_test.cpp - normals, points and meshes of hits, against double precision and a search from the
+// front.
 #include <gtest/gtest.h>
 
 #include "support/compare.hpp"
@@ -18,6 +19,20 @@ Double3 normal_of(const test::Mesh& mesh, uint32_t triangle) {
     return normalize(cross(v1 - v0, v2 - v0));
 }
 
+// How far a point is from where u and v say, as a share of the largest coordinate.
+double error_of_point(const test::Mesh& mesh, const rsh_hit& hit, const test::Float3& point) {
+    Corners c;
+    EXPECT_TRUE(mesh.corners(hit.primitive, &c));
+    const Double3 v0(c[0]), v1(c[1]), v2(c[2]);
+    const Double3 expected = v0 + double(hit.u) * (v1 - v0) + double(hit.v) * (v2 - v0);
+    const double largest = std::max({max_norm(v0), max_norm(v1), max_norm(v2)});
+    return max_norm(Double3(point) - expected) / largest;
+}
+
+bool is_nowhere(const test::Float3& point) {
+    return std::isnan(point.x) && std::isnan(point.y) && std::isnan(point.z);
+}
+
 // The last range that begins at the triangle or before it.
 uint32_t id_of(const std::vector<rsh_mesh_range>& ranges, uint32_t triangle) {
     uint32_t id = ranges[0].id;
@@ -34,7 +49,7 @@ protected:
         const test::DeviceMesh device_mesh(mesh);
         TraceWay way;
         way.options = options;
-        way.normals = true;
+        way.normals = way.points = true;
         way.ranges = ranges;
         const auto found = trace_hits(device_mesh, rays, way);
         EXPECT_TRUE(test::same_bits(
@@ -45,12 +60,15 @@ protected:
             const uint32_t triangle = found.hits[i].primitive;
             if (triangle == RSH_NO_HIT) {
                 EXPECT_EQ(max_norm(found.normals[i]), 0.0f);
+                EXPECT_TRUE(is_nowhere(found.points[i]));
                 EXPECT_EQ(found.ids[i], RSH_NO_HIT);
                 continue;
             }
             ++hits;
             const Double3 error = Double3(found.normals[i]) - normal_of(mesh, triangle);
             EXPECT_LT(max_norm(error), 0x1p-22) << "triangle " << triangle;
+            EXPECT_LT(error_of_point(mesh, found.hits[i], found.points[i]), 0x1p-21)
+                << "triangle " << triangle;
             EXPECT_EQ(found.ids[i], id_of(ranges, triangle)) << "triangle " << triangle;
         }
         EXPECT_GT(hits, found.hits.size() / 20);
@@ -61,7 +79,7 @@ protected:
     const test::Rays rays_ = test::pinhole_rays(test::small() ? 16 : 70, 40);
 };
 
-TEST_F(Describe, FindsNormalsAndMeshes) {
+TEST_F(Describe, FindsNormalsPointsAndMeshes) {
     const test::Mesh soup = test::random_soup(random_, 300);
     expect_descriptions(soup, rays_, {{0, 5, ~0u, 0}});
     expect_descriptions(soup, rays_, {{0, 5, ~0u, 0}, {150, 0xfffffff0u, 0, 0}});
@@ -81,7 +99,7 @@ TEST_F(Describe, FindsThoseOfAllHits) {
     const test::Mesh soup = test::random_soup(random_, 300);
     const test::DeviceMesh mesh(soup);
     TraceWay way;
-    way.normals = true;
+    way.normals = way.points = true;
     way.ranges = {{0, 5, ~0u, 0}, {100, 6, ~0u, 0}, {200, 7, ~0u, 0}};
     const test::HitLists lists = all_hits(mesh, rays_, test::brute_force());
     const size_t count = lists.hits.size();
@@ -92,6 +110,7 @@ TEST_F(Describe, FindsThoseOfAllHits) {
         const uint32_t triangle = lists.hits[i].primitive;
         EXPECT_EQ(found.hits[i].primitive, triangle);
         EXPECT_LT(max_norm(Double3(found.normals[i]) - normal_of(soup, triangle)), 0x1p-22);
+        EXPECT_LT(error_of_point(soup, found.hits[i], found.points[i]), 0x1p-21);
         EXPECT_EQ(found.ids[i], 5 + triangle / 100);
     }
     const uint32_t untouched = test::Buffer<uint32_t>(1).read()[0];
@@ -140,7 +159,7 @@ TEST_F(Describe, ReadsNothingWhereHitsAreNone) {
     const test::Buffer<uint8_t> bounds(1u << 16);
     const test::Buffer<rsh_ray> rays(rays_.rays);
     const test::Buffer<rsh_hit> hits(rays_.rays.size());
-    const test::Buffer<test::Float3> normals(rays_.rays.size());
+    const test::Buffer<test::Float3> normals(rays_.rays.size()), points(rays_.rays.size());
     rsh_trace_desc desc = {};
     desc.struct_size = sizeof desc;
     desc.geometry = mesh.geometry();
@@ -151,10 +170,12 @@ TEST_F(Describe, ReadsNothingWhereHitsAreNone) {
     desc.engine = RSH_ENGINE_TILES;
     desc.hits = hits.get();
     desc.normals = normals.get();
+    desc.points = points.get();
     const rsh_context rsh = test::device().rsh;
     RSH_CHECK(rsh_trace(rsh, test::device().queue(), &desc, 0, nullptr, nullptr));
     EXPECT_EQ(rsh_device_status(rsh, test::device().queue()), RSH_INVALID_VALUE);
     for (const test::Float3& normal : normals.read()) EXPECT_EQ(max_norm(normal), 0.0f);
+    for (const test::Float3& point : points.read()) EXPECT_TRUE(is_nowhere(point));
 }
 
 }  // namespace

@@ -133,16 +133,18 @@ namespace {
 // `capacity` hits, and what is asked for of them.
 TraceAnswers run_for_hits(Call& call, size_t capacity, const TraceWay& way) {
     const Buffer<rsh_hit> hits(capacity);
-    const Buffer<Float3> normals(capacity);
+    const Buffer<Float3> normals(capacity), points(capacity);
     const Buffer<uint32_t> ids(capacity);
     call.desc.hits = hits.get();
     if (way.normals) call.desc.normals = normals.get();
+    if (way.points) call.desc.points = points.get();
     if (!way.ranges.empty()) call.desc.geometry_ids = ids.get();
     call.run();
     expect_guards(hits.guards_intact(), "hits");
     expect_guards(normals.guards_intact(), "normals");
+    expect_guards(points.guards_intact(), "points");
     expect_guards(ids.guards_intact(), "ids");
-    return {hits.read(), normals.read(), ids.read()};
+    return {hits.read(), normals.read(), points.read(), ids.read()};
 }
 
 }  // namespace

@@ -18,13 +18,14 @@ struct TraceWay {
     TraceOptions options;
     Handed handed = Handed::whole;
     bool normals = false;
+    bool points = false;
     std::vector<rsh_mesh_range> ranges = {};  // with ids of the hits
 };
 
 struct TraceAnswers {
     std::vector<rsh_hit> hits;
-    std::vector<Float3> normals;  // as asked for
-    std::vector<uint32_t> ids;    // likewise
+    std::vector<Float3> normals, points;  // as asked for
+    std::vector<uint32_t> ids;            // likewise
 };
 
 TraceAnswers trace_hits(const DeviceMesh& mesh, const Rays& rays, const TraceWay& way);

@@ -123,16 +123,18 @@ TEST_P(Trace, OfAListTouchesNothingBehindItsCount) {
             SCOPED_TRACE(name_of(options) + ", " + std::to_string(count));
             options.list_count = count;
             TraceWay way = way_of(options);
-            way.normals = true;
+            way.normals = way.points = true;
             way.ranges = ranges;
             const auto actual = trace_hits(mesh_, rays, way);
             const auto hits = closest_hits(mesh_, rays, options);
             EXPECT_TRUE(test::same_bits(actual.hits, hits, "hits"));
             const auto untouched = test::Buffer<uint32_t>(1).read()[0];
             for (size_t i = std::min<size_t>(count, hits.size()); i < hits.size(); ++i) {
-                uint32_t normal[3];
-                std::memcpy(normal, &actual.normals[i], sizeof normal);
-                for (const uint32_t word : normal) EXPECT_EQ(word, untouched) << "normal " << i;
+                uint32_t words[6];
+                std::memcpy(words, &actual.normals[i], sizeof words / 2);
+                std::memcpy(words + 3, &actual.points[i], sizeof words / 2);
+                for (const uint32_t word : words)
+                    EXPECT_EQ(word, untouched) << "normal and point " << i;
                 EXPECT_EQ(actual.ids[i], untouched) << "id " << i;
             }
         }
@@ -190,6 +192,8 @@ TEST_F(TraceCosts, AreThoseOfTheThreeCallsAndWhatIsAskedFor) {
         expect_more(way, 1, 1);
         way.normals = true;
         expect_more(way, 2, 2);
+        way.points = true;
+        expect_more(way, 2, 2);
         way.ranges = {{0, 1, ~0u, 0}};
         expect_more(way, 2, 2);
     }
@@ -212,7 +216,7 @@ TEST_F(TraceCosts, OfMemoryAreThoseOfRaysThatArePacked) {
     desc.rays = some.get();
     const size_t whole = bytes();
     EXPECT_EQ(packed - whole, 64u * 64 * sizeof(rsh_ray));
-    desc.normals = desc.geometry_ids = some.get();
+    desc.normals = desc.points = desc.geometry_ids = some.get();
     EXPECT_EQ(bytes(), whole);
 }
 
