@@ -67,6 +67,23 @@ def test_rays_on_the_device_stay_there(scene, rays):
     np.testing.assert_array_equal(inside.get(), scene.contains(rays[:, :3]))
 
 
+def test_locations_of_rays_on_the_device_stay_there(scene, rays):
+    sent = cla.to_device(scene.queue, rays)
+    expected = scene.closest(rays, normal=True, location=True)
+    _, alone = scene.closest(sent, location=True)
+    hits, normals, locations = scene.closest(sent.reshape(20, 25, 8), normal=True, location=True)
+    assert (locations.shape, locations.dtype) == ((20, 25, 3), np.float32)
+    assert alone.get().tobytes() == locations.get().tobytes()
+    np.testing.assert_array_equal(normals.get().reshape(-1, 3), expected.normal)
+    np.testing.assert_allclose(alone.get(), expected.location, atol=2e-6)
+    assert np.all(np.isnan(alone.get()) == (expected.primitive == rsh.NO_HIT)[:, None])
+    (hits, listed), offsets = scene.all(sent, location=True)
+    of_host, _ = scene.all(rays, location=True)
+    assert listed.shape == (int(offsets.get()[-1]), 3)
+    np.testing.assert_array_equal(hits.get()["primitive"], of_host.primitive)
+    np.testing.assert_allclose(listed.get(), of_host.location, atol=2e-6)
+
+
 def test_engines_agree(mesh, scene, rays):
     other = rsh.Scene(mesh.vertices, mesh.faces, engine=rsh.ENGINE_BRUTE_FORCE)
     assert other.closest(rays).tobytes() == scene.closest(rays).tobytes()
@@ -149,8 +166,6 @@ def test_what_does_not_fit_is_refused(scene, queue):
         scene.closest(np.zeros((3, 6), complex))
     with pytest.raises(TypeError, match="rays has dtype float64, must be float32"):
         scene.closest(cla.zeros(queue, (3, 6), np.float64))
-    with pytest.raises(ValueError, match="location is True"):
-        scene.closest(cla.zeros(scene.queue, (3, 6), np.float32), location=True)
     with pytest.raises(ValueError, match="faces has values from -1 to 0"):
         rsh.Scene(BOX, [[0, 0, -1]])
     with pytest.raises(TypeError, match="faces has dtype float64, must be integers"):

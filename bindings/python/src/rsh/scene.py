@@ -13,7 +13,7 @@ from rsh._default import context_of, default
 from rsh._hits import HIT, Hits, find_locations, record_hits
 from rsh._mesh import Mesh
 from rsh._rays import make_rays
-from rsh._tracer import Tracer
+from rsh._tracer import Traced, Tracer
 from rsh.constants import ENGINE_DEFAULT, QUERY_ALL, QUERY_ANY, QUERY_COUNT
 
 
@@ -95,7 +95,8 @@ class Scene:
         normal : bool, optional
             Also the unit normals of the triangles hit, (v1 - v0) x (v2 - v0); 0 for a miss.
         location : bool, optional
-            Also where the triangle is hit, in double precision; NaN for a miss. Only of NumPy's rays.
+            Also where on the triangle it is, by `u` and `v`; NaN for a miss. Of NumPy's rays in double
+            precision, on the device as float32.
         wait_for : iterable of pyopencl.Event, optional
 
         Returns
@@ -103,17 +104,15 @@ class Scene:
         recarray or pyopencl.array.Array
             `t` in units of the direction's length, `u`, `v`, `primitive`: index of the triangle, `rsh.NO_HIT`
             for a miss, whose t is inf (on the device: the ray's tmax); `normal` and `location`. On the device
-            with `normal`, hits and normals.
+            these are arrays of their own, (..., 3): with any, a tuple of hits, normals, locations.
         """
         traced = self._tracer.take(rays)
         hits = traced.empty(traced.shape, HIT)
-        normals = traced.empty((*traced.shape, 3), np.float32) if normal else None
-        traced.run(wait_for, hits=hits, normals=normals)
+        asked = self._asked(traced, traced.shape, rays, normal, location)
+        traced.run(wait_for, hits=hits, **asked)
         if is_on_device(rays):
-            if location:
-                raise ValueError("location is True, must be False for rays on the device")
-            return hits if normals is None else (hits, normals)
-        return self._records(hits, normals, location)
+            return (hits, *asked.values()) if asked else hits
+        return self._records(hits, asked.get("normals"), location)
 
     def closest_hits(
         self, origins: ArrayLike, directions: ArrayLike, *, normal: bool = False, location: bool = False
@@ -159,7 +158,7 @@ class Scene:
         Returns
         -------
         hits : recarray or pyopencl.array.Array
-            Ray by ray, as of `closest`; on the device with `normal`, hits and normals.
+            Ray by ray, as of `closest`; on the device with `normal` or `location` such a tuple.
         offsets : ndarray or pyopencl.array.Array, uint64, (rays + 1,)
             Ray i has hits[offsets[i]:offsets[i + 1]].
         """
@@ -172,14 +171,14 @@ class Scene:
         while total > capacity:
             capacity = total
             hits = traced.empty((capacity,), HIT)
-            normals = traced.empty((capacity, 3), np.float32) if normal else None
-            asked = {"query": QUERY_ALL, "hits": hits, "normals": normals}
-            traced.run(wait_for, **asked, hit_offsets=offsets, hit_capacity=capacity)
+            asked = self._asked(traced, (capacity,), rays, normal, location)
+            lists = {"query": QUERY_ALL, "hit_offsets": offsets, "hit_capacity": capacity}
+            traced.run(wait_for, hits=hits, **asked, **lists)
             total = int(offsets[count:].get(self.queue)[0])
-        hits, normals = hits[:total], None if normals is None else normals[:total]
+        hits, asked = hits[:total], {name: array[:total] for name, array in asked.items()}
         if is_on_device(rays):
-            return hits if normals is None else (hits, normals), offsets
-        return self._records(hits, normals, location), offsets.get(self.queue)
+            return (hits, *asked.values()) if asked else hits, offsets
+        return self._records(hits, asked.get("normals"), location), offsets.get(self.queue)
 
     def contains(self, points: Floats, *, wait_for: WaitFor = None) -> Any:
         """Tell which points are inside of the mesh, which must be closed.
@@ -198,6 +197,14 @@ class Scene:
         counts = traced.empty(traced.shape, np.uint32)
         traced.run(wait_for, query=QUERY_COUNT, hit_counts=counts)
         return counts & 1 if is_on_device(points) else counts.get(self.queue) % 2 == 1
+
+    @staticmethod
+    def _asked(
+        traced: Traced, shape: tuple[int, ...], rays: Floats, normal: bool, location: bool
+    ) -> dict[str, Any]:
+        """Return arrays for what rsh_trace is to tell beside hits."""
+        wanted = {"normals": normal, "points": location and is_on_device(rays)}
+        return {name: traced.empty((*shape, 3), np.float32) for name in wanted if wanted[name]}
 
     def _records(self, hits: Any, normals: Any, location: bool) -> Hits:
         raw = hits.get(self.queue)
