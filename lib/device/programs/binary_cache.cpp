@@ -1,10 +1,11 @@
 #include "device/programs/binary_cache.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <random>
 
 #include "device/programs/cache_folder.hpp"
 #include "device/programs/sha256.hpp"
@@ -46,10 +47,12 @@ std::string name_of(const std::string& key) {
     return hexadecimal(sum.digest()) + kSuffix;
 }
 
-// Unique among processes and threads that store the same program at the same time.
+// Unique among threads and processes, also of machines that share the folder, which store the same program at
+// the same time. std::random_device of a static libstdc++ would ask for the newest glibc.
 std::string temporary_of(const std::string& name) {
     static std::atomic<unsigned> counter{0};
-    return name + "." + std::to_string(std::random_device{}()) + "." +
+    const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+    return name + "." + std::to_string(getpid()) + "." + std::to_string(now) + "." +
            std::to_string(counter++) + kTemporarySuffix;
 }
 
