@@ -1187,7 +1187,8 @@ typedef struct rsh_prepare_desc {
  *          general one. RSH_OUT_OF_MEMORY also where no thread can be started.
  * Cost:    BLOCKS until all are compiled, in the background for less than a millisecond. Some drivers
  *          (PoCL) finish a kernel for a size of work-groups only when it is first launched; that is
- *          left to the call. */
+ *          left to the call. There the first call that takes a variant is slow all the same, also
+ *          with `general`; with RSH_NO_VARIANTS a change of features compiles nothing. */
 RSH_API rsh_status rsh_prepare(rsh_context context, const rsh_prepare_desc* desc);
 
 /* BLOCKS until the context's thread has compiled what was left to it; returns its first failure since the

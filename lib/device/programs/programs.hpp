@@ -18,13 +18,13 @@
 
 namespace rsh {
 
-// Which kernel: file stem, kernel name, compile-time parameters ("-D RSH_WORDS=2").
+// Which kernel: file stem, kernel name, compile-time parameters ("-D RSH_WORDS=2"). A variant: the
+// program without them does the same, see variants.hpp.
 struct KernelName {
     const char* program;
     const char* kernel;
     std::string options = {};
-    bool is_variant =
-        false;  // without its options the program serves as well; see variants.hpp
+    bool is_variant = false;
 };
 
 // Where programs come from and are kept.
