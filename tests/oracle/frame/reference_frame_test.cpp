@@ -132,6 +132,33 @@ TEST(ReferenceFrame, CutsToWhatTheSceneSays) {
     EXPECT_EQ(first(RSH_CUT_BLACK, {1, 0.5}), 0);
 }
 
+void add_level_square(Scene& scene, float half, float height) {
+    test::Mesh mesh;
+    mesh.vertices = {{-half, height, -half},
+                     {half, height, -half},
+                     {-half, height, half},
+                     {half, height, half}};
+    mesh.indices = {0, 2, 1, 1, 2, 3};
+    scene.add(mesh, 0, nullptr);
+}
+
+// A floor below a small roof; the light is at a height of 2, or infinitely far up.
+TEST(ReferenceFrame, HidesLightsBehindWhatIsInBetween) {
+    const auto seen_under_roof = [](float height, rsh_light light) {
+        Scene scene = body({}, test::matte({1, 1, 1}));
+        add_level_square(scene, 9, 0);
+        add_level_square(scene, 1, height);
+        scene.lights = {light};
+        return render(scene, view({5, 0.3f, 0}, {0, 0, 0}, 1), {0})[0].colour.x;
+    };
+    rsh_light lamp = test::point_light({0, 2, 0}, {0.5f, 0.5f, 0.5f});
+    EXPECT_EQ(seen_under_roof(1.5f, lamp), 0);
+    EXPECT_NEAR(seen_under_roof(2.5f, lamp), 0.5, 1e-9);
+    EXPECT_EQ(seen_under_roof(2.5f, test::directional_light({0, -1, 0}, {1, 1, 1})), 0);
+    lamp.casts_shadow = 0;
+    EXPECT_NEAR(seen_under_roof(1.5f, lamp), 0.5, 1e-9);
+}
+
 TEST(ReferenceFrame, AveragesTheSamplesOfAPixel) {
     const Scene scene = test::gallery();
     const oracle::View small = {test::gallery_camera(16, 12), 16, 12};
