@@ -40,6 +40,13 @@ Image image_of(const std::vector<cl_float4>& pixels, uint32_t width, uint32_t he
     return image;
 }
 
+// Pixels that are not the same bits, of two pictures of one size.
+size_t count_differing(const std::vector<cl_float4>& a, const std::vector<cl_float4>& b) {
+    size_t count = 0;
+    for (size_t i = 0; i < a.size(); ++i) count += std::memcmp(&a[i], &b[i], sizeof a[i]) != 0;
+    return count;
+}
+
 // Of the nodes over the rays.
 std::string shape_of(cl_uint engine) {
     const cl_uint shape = rsh_engine_shape(engine);
@@ -68,6 +75,7 @@ public:
 private:
     std::string why_not(const Entry& entry) const;
     void check(Entry& entry);
+    void compare_picture(const Image& image, Entry& entry) const;
     Image in_base_size(const Image& image) const;
     const hits::Errors& first_wave(cl_uint width, cl_uint height);
     std::string write_picture(const std::string& name, const Image& image) const;
@@ -123,19 +131,20 @@ void SceneRun::check(Entry& entry) {
     const std::vector<cl_float4> pixels = entry.frame->pixels();
     if (default_pixels_.empty()) default_pixels_ = pixels;
     if (entry.point.is_exact) {
-        size_t differ = 0;
-        for (size_t i = 0; i < pixels.size(); ++i)
-            differ += std::memcmp(&pixels[i], &default_pixels_[i], sizeof pixels[i]) != 0;
+        const size_t differ = count_differing(pixels, default_pixels_);
         entry.metrics["differ"] = differ;
         entry.is_wrong = differ > 0;
     }
-    const Image image = in_base_size(image_of(pixels, entry.width, entry.height));
-    const Shown shown(image);
-    compare(truth_, shown, references_.is_edge).put(entry.metrics, "");
-    compare(centres_, shown, references_.is_edge).put(entry.metrics, "_centres");
     const hits::Errors& errors = first_wave(entry.width, entry.height);
     errors.put(entry.metrics);
     entry.is_wrong |= errors.all() > 0;
+    compare_picture(in_base_size(image_of(pixels, entry.width, entry.height)), entry);
+}
+
+void SceneRun::compare_picture(const Image& image, Entry& entry) const {
+    const Shown shown(image);
+    compare(truth_, shown, references_.is_edge).put(entry.metrics, "");
+    compare(centres_, shown, references_.is_edge).put(entry.metrics, "_centres");
     if (&entry == &entries_.front()) entry.metrics["reference_cut"] = references_.cut_pixels;
     std::string name = entry.point.axis + "_" + entry.point.value;
     std::replace(name.begin(), name.end(), '/', '_');

@@ -70,7 +70,7 @@ def about(document):
 
 
 def fill_panel(panel, cases):
-    default = next((case for case in cases if case["params"]["axis"] == front.DEFAULT), None)
+    default = next(case for case in cases if case["params"]["axis"] == front.DEFAULT)
 
     def points(some):
         return ([case["metrics"]["ms"] for case in some],
