@@ -46,7 +46,7 @@
 /* Bits of a coordinate in the keys of rays; RSH_RAY_CELL_BITS of them make the cell. */
 #define RSH_RAY_BITS 7
 
-/* Places ahead of a ray of a sorted list whose ray is asked for. Building and tracing random rays: 1.25
+/* Places ahead of a ray of a sorted list whose ray is asked for. Building and tracing random rays: 1.2
  * times as quick. A whole tile at once, 256 rays, gains half of that: a core waits for a few dozen cache
  * lines at a time. */
 #define RSH_RAYS_AHEAD 32

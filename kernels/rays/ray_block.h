@@ -37,13 +37,25 @@ static uint active_lanes(const ray_block* block)
 }
 
 #if RSH_WIDTH > 1
-/* Four times four rays in a row. */
+/* Asks for a block of four times four rays in a row, two to a cache line. */
+static void expect_whole_block(ray_tile tile, uint b, __global const rsh_ray* rays)
+{
+    for (uint r = 0; r < 4; ++r) {
+        const uint i = ray_of(tile, b, 4 * r);
+        if (i == RSH_NO_RAY) continue;
+        RSH_EXPECT_LOAD(rays + i);
+        RSH_EXPECT_LOAD(rays + i + 2);
+    }
+}
+
+/* Four times four rays in a row; asks for the tile's next block. */
 static void load_whole_block(ray_tile tile, uint b, __global const rsh_ray* rays,
                              ray_block* block)
 {
     __global const float* four[4];
     for (uint r = 0; r < 4; ++r)
         four[r] = (__global const float*)(rays + ray_of(tile, b, 4 * r));
+    expect_whole_block(tile, (b + 1) % 16, rays);
 #pragma unroll
     for (uint end = 0; end < 2; ++end) { /* of a ray: its origin, its direction */
         float16 row[4];

@@ -7,18 +7,6 @@
 
 #include "traverse/tiles/state.h"
 
-/* Asks for the rows of the children that were met. All of them: which are next shows when they are
- * sorted, and then there is no time left. */
-static void expect_children(const traversal_state* state, uint met, __global const uint* child)
-{
-    for (; met; met &= met - 1) {
-        const uint at = child[lowest_bit(met)];
-        __global const float* row = is_leaf(at) ? leaf_of(state, at) : node_of(state, at);
-        const uint rows = is_leaf(at) ? RSH_TRIANGLES_AT / 16 : RSH_CHILDREN_AT / 16 + 1;
-        for (uint i = 0; i < rows; ++i) RSH_EXPECT_LOAD(row + 16 * i);
-    }
-}
-
 /* Ray k of block b through a child: a leaf, or a node and all below it. */
 RSH_CALLED static void traverse_ray(traversal_state* state, uint b, uint k, uint child)
 {

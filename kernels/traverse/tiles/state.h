@@ -144,15 +144,29 @@ static uint sort_boxes(uint met, const float* near, uint node, __global const ui
     return count;
 }
 
+/* Asks for the rows of the children that were met. All of them: which are next shows when they are
+ * sorted, and then there is no time left. */
+static void expect_children(const traversal_state* state, uint met, __global const uint* child)
+{
+    for (; met; met &= met - 1) {
+        const uint at = child[lowest_bit(met)];
+        __global const float* row = is_leaf(at) ? leaf_of(state, at) : node_of(state, at);
+        const uint rows = is_leaf(at) ? RSH_TRIANGLES_AT / 16 : RSH_CHILDREN_AT / 16 + 1;
+        for (uint i = 0; i < rows; ++i) RSH_EXPECT_LOAD(row + 16 * i);
+    }
+}
+
 /* Pushes the boxes of a node that the packet, of these blocks, can meet. */
 RSH_CALLED static void push_boxes_met(traversal_state* state, const interval_packet* packet,
                                       uint blocks, uint node)
 {
     float near[16];
     boxes16 boxes;
-    load_boxes(node_of(state, node), &boxes);
+    __global const float* at = node_of(state, node);
+    load_boxes(at, &boxes);
     count_for_blocks(state, &state->node_tests, blocks, 16);
     const uint met = boxes_met(packet, &boxes, near);
+    expect_children(state, met, (__global const uint*)at + RSH_CHILDREN_AT);
     state->stack_size += sort_boxes(met, near, node, 0, state->stack + state->stack_size);
 }
 
