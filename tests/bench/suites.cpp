@@ -1,4 +1,5 @@
 // suites.cpp - the list of suites. One row each.
+#include "ablation/ablation_suite.hpp"
 #include "accuracy/accuracy_suite.hpp"
 #include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
@@ -14,6 +15,7 @@
 namespace bench {
 
 const std::vector<Suite*>& suites() {
+    static AblationSuite ablation;
     static AccuracySuite accuracy;
     static BudgetsSuite budgets;
     static FrameSuite frame;
@@ -24,9 +26,9 @@ const std::vector<Suite*>& suites() {
     static QueriesSuite queries;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&accuracy, &budgets,  &frame,    &hits,
-                                            &mirrors,  &parity,   &programs, &queries,
-                                            &reduce,   &stability};
+    static const std::vector<Suite*> all = {&ablation, &accuracy, &budgets,  &frame,
+                                            &hits,     &mirrors,  &parity,   &programs,
+                                            &queries,  &reduce,   &stability};
     return all;
 }
 
