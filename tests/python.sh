@@ -33,3 +33,8 @@ done
 "$folder/pypi/bin/ruff" check --no-cache . ../../samples/python
 "$folder/pypi/bin/ruff" format --no-cache --check .
 "$folder/pypi/bin/mypy" --cache-dir "$folder/mypy" --strict -p rsh
+
+# The benchmarks compare answers, those of other libraries as well, before they time anything.
+"$folder/pypi/bin/pip" install -q embreex mako
+"$folder/pypi/bin/python" benchmarks/moving_mesh.py --quick --rounds 2
+"$folder/pypi/bin/python" benchmarks/reduction.py --count 100003 --rounds 2
