@@ -1,7 +1,8 @@
 #include "device/programs/programs.hpp"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <new>
 
 #include "device/error.hpp"
@@ -10,17 +11,31 @@
 namespace rsh {
 namespace {
 
-// A program that took longer than this to compile is compiled again at once. Where that takes
-// less than half as long, the driver keeps what it compiles, and the program is not stored:
-// handing it out may cost more than it saves. PoCL compiles every kernel once more for that, two
-// seconds for the traversal's.
+// A program that takes longer than this to compile is worth storing, unless the driver itself keeps
+// what it compiles: handing it out may then cost more than it saves. PoCL compiles every kernel
+// once more for that, two seconds for the traversal's.
 constexpr double kSlowSeconds = 0.2;
 
+// The driver keeps what it compiles where a second build takes less than this share of the first one.
+// The first one of a process may include half a second in which the compiler itself starts.
+constexpr double kKeptShare = 0.25;
+
+double seconds_by(clockid_t clock) {
+    timespec now = {};
+    clock_gettime(clock, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+// Those that the calling thread computed, lest a program seem slow because others are busy; by the
+// clock where a driver compiles elsewhere and the thread waits.
 template <class Work>
 double seconds_of(Work work) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = seconds_by(CLOCK_MONOTONIC);
+    const double computing_start = seconds_by(CLOCK_THREAD_CPUTIME_ID);
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = seconds_by(CLOCK_MONOTONIC) - start;
+    const double computing = seconds_by(CLOCK_THREAD_CPUTIME_ID) - computing_start;
+    return computing > 0.05 * seconds ? computing : seconds;
 }
 
 cl_int build(cl_program program, cl_device_id device, const std::string& options) {
@@ -143,8 +158,21 @@ BuiltProgram Programs::make(const KernelName& name) {
     ++built_;
     const double seconds = seconds_of(build);
     log_(name.program, ".cl: compiled in ", seconds, " s with ", options);
-    if (seconds > kSlowSeconds && seconds_of(build) > seconds / 2) store(key, program.get());
+    if (seconds > kSlowSeconds && must_store(seconds, [&] { return seconds_of(build); }))
+        store(key, program.get());
     return program;
+}
+
+// Asks the driver once: what is true of a program that took `seconds` is true of all.
+template <class Rebuild>
+bool Programs::must_store(double seconds, Rebuild seconds_again) {
+    if (keeper_ != Keeper::kUnknown) return keeper_ == Keeper::kNobody;
+    const double again = seconds_again();
+    if (again < kKeptShare * seconds)
+        keeper_ = Keeper::kDriver;
+    else if (again > kSlowSeconds)
+        keeper_ = Keeper::kNobody;
+    return keeper_ == Keeper::kNobody;
 }
 
 // A binary that the driver refuses, or builds into nothing, is as good as none.

@@ -87,6 +87,10 @@ private:
     BuiltProgram load(const std::string& key, const std::string& options);
     BuiltProgram compile(const KernelName& name, const std::string& source,
                          const std::string& options);
+    // Who has what the driver compiled when the next process asks for it.
+    enum class Keeper { kUnknown, kDriver, kNobody };
+    template <class Rebuild>
+    bool must_store(double seconds, Rebuild seconds_again);
     void store(const std::string& key, cl_program program);
 
     const Log& log_;
@@ -98,6 +102,7 @@ private:
     BinaryCache cache_;
     std::mutex mutex_;
     std::map<std::string, std::unique_ptr<Program>> programs_;  // by stem and options
+    std::atomic<Keeper> keeper_{Keeper::kUnknown};
     std::atomic<unsigned> built_{0};
     std::atomic<unsigned> loaded_{0};
 };
