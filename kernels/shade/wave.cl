@@ -60,39 +60,16 @@ RSH_CALLED static void number_branches(const branch_lanes* at, const uint* index
     }
 }
 
-__kernel void rsh_wave_count(mesh_view mesh, __global const float* vertices,
-                             __global const uint* indices, __global const float* normals,
-                             __global const uint* material_ids,
-                             __global const rsh_material* materials, uint material_count,
-                             wave_part part, __global const uint* list_count, uint kinds,
-                             float min_weight, __global const rsh_ray* rays,
-                             __global const rsh_hit* hits, __global const float4* weights,
-                             __global uint2* branches, __global uint* counts)
+/* Those among RSH_WIDTH rays that send others on wait. */
+RSH_CALLED static void note_senders(__global const uint2* branches, const uint* index,
+                                    waiting_rays* waiting)
 {
-    const surface_buffers buffers = {mesh,    vertices,     indices,
-                                     normals, material_ids, material_count};
-    const uint me = get_global_id(0), items = get_global_size(0);
-    const strided_range mine = my_range(counted_rays(part.count, list_count));
-    uint sum[RSH_BRANCHES] = {0, 0}, place = mine.begin;
-    waiting_rays waiting;
-    waiting.count = 0;
-    for (;;) {
-        uint index[RSH_WIDTH];
-        for (; place < mine.end && waiting.count < RSH_WIDTH; place += RSH_WIDTH) {
-            rays_at_places(part, part.first + place, part.first + mine.end, index);
-            note_candidates(&buffers, materials, kinds, hits, index, &waiting, branches);
-        }
-        if (waiting.count == 0) break;
-        ray_lanes block;
-        branch_lanes at;
-        take_block(&waiting, index);
-        load_rays(index, rays, hits, &block);
-        find_branches(&buffers, materials, kinds, load_weights(index, weights), min_weight,
-                      &block, RSH_LANE_BITS(block.is_active), &at);
-        number_branches(&at, index, sum, branches);
+    for (uint k = 0; k < RSH_WIDTH; ++k) {
+        if (index[k] == RSH_NO_RAY) continue;
+        const uint2 branch = branches[index[k]];
+        if (branch.x != RSH_NO_RAY || branch.y != RSH_NO_RAY)
+            waiting->index[waiting->count++] = index[k];
     }
-    counts[me] = sum[RSH_REFLECTED];
-    counts[items + me] = sum[RSH_REFRACTED];
 }
 
 /* Where the rays that a block sends on stand in the next wave: counted from `begin` now. */
@@ -111,20 +88,32 @@ RSH_CALLED static void place_branches(const branch_lanes* at, const uint* index,
     }
 }
 
-/* Those among RSH_WIDTH rays that send others on wait. */
-RSH_CALLED static void note_senders(__global const uint2* branches, const uint* index,
-                                    waiting_rays* waiting)
+typedef struct next_wave {
+    __global rsh_ray* rays;
+    __global float4* weights;
+    __global uint* skip;
+} next_wave;
+
+/* Writes the rays that a block sends on. */
+RSH_CALLED static void send_block(const branch_lanes* at, const ray_lanes* block,
+                                  const uint* index, uint2 begin, const next_wave* next,
+                                  __global uint2* branches)
 {
-    for (uint k = 0; k < RSH_WIDTH; ++k) {
-        if (index[k] == RSH_NO_RAY) continue;
-        const uint2 branch = branches[index[k]];
-        if (branch.x != RSH_NO_RAY || branch.y != RSH_NO_RAY)
-            waiting->index[waiting->count++] = index[k];
+    uint places[RSH_BRANCHES][RSH_WIDTH];
+    place_branches(at, index, begin, places, branches);
+    const departure_lanes from = departures_of(&at->surface, block);
+    for (uint kind = 0; kind < RSH_BRANCHES; ++kind) {
+        if (at->bits[kind] == 0) continue;
+        const sent_rays sent = send_branches(at, &from, kind, true);
+        store_sent_rays(&sent, places[kind], block->primitive, next->rays, next->skip);
+        store_sent_weights(at->weight[kind], sent.bits, places[kind], next->weights);
     }
 }
 
-/* capacity: room in the next wave. If it has more rays, spawned_counts[bounce] of them, none is
- * written.
+/* Launched twice: with is_counting it counts the rays that are sent on; then, where the counts say, it
+ * writes them. One kernel, as both look at the same hits in the same way.
+ *   capacity    room in the next wave. If it has more rays, spawned_counts[bounce] of them, none is
+ *               written.
  *   next_count  out  how many are
  */
 __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
@@ -134,45 +123,48 @@ __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
                              wave_part part, __global const uint* list_count, uint kinds,
                              float min_weight, __global const rsh_ray* rays,
                              __global const rsh_hit* hits, __global const float4* weights,
-                             __global uint2* branches, __global const uint* counts,
+                             __global uint2* branches, __global uint* counts, uint is_counting,
                              uint capacity, __global const uint* spawned_counts, uint bounce,
                              __global uint* next_count, __global rsh_ray* spawned_rays,
                              __global float4* spawned_weights, __global uint* spawned_skip)
 {
-    const uint total = spawned_counts[bounce];
-    if (get_global_id(0) == 0) *next_count = total > capacity ? 0 : total;
+    const uint me = get_global_id(0), items = get_global_size(0);
+    const uint total = is_counting ? 0 : spawned_counts[bounce];
+    if (me == 0 && !is_counting) *next_count = total > capacity ? 0 : total;
     if (total > capacity) return;
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
-    const uint me = get_global_id(0), items = get_global_size(0);
-    const uint2 begin = (uint2)(counts[me], counts[items + me]);
+    const next_wave next = {spawned_rays, spawned_weights, spawned_skip};
+    const uint2 begin = is_counting ? (uint2)(0) : (uint2)(counts[me], counts[items + me]);
     const strided_range mine = my_range(counted_rays(part.count, list_count));
-    uint place = mine.begin;
+    uint sum[RSH_BRANCHES] = {0, 0}, place = mine.begin;
     waiting_rays waiting;
     waiting.count = 0;
     for (;;) {
-        uint index[RSH_WIDTH], places[RSH_BRANCHES][RSH_WIDTH];
+        uint index[RSH_WIDTH];
         for (; place < mine.end && waiting.count < RSH_WIDTH; place += RSH_WIDTH) {
             rays_at_places(part, part.first + place, part.first + mine.end, index);
-            note_senders(branches, index, &waiting);
+            if (is_counting)
+                note_candidates(&buffers, materials, kinds, hits, index, &waiting, branches);
+            else
+                note_senders(branches, index, &waiting);
         }
         if (waiting.count == 0) break;
         ray_lanes block;
         branch_lanes at;
         take_block(&waiting, index);
         load_rays(index, rays, hits, &block);
-        if (!find_branches(&buffers, materials, kinds, load_weights(index, weights), min_weight,
-                           &block, RSH_LANE_BITS(block.is_active), &at))
-            continue;
-        place_branches(&at, index, begin, places, branches);
-        const departure_lanes from = departures_of(&at.surface, &block);
-        for (uint kind = 0; kind < RSH_BRANCHES; ++kind) {
-            if (at.bits[kind] == 0) continue;
-            const sent_rays sent = send_branches(&at, &from, kind, true);
-            store_sent_rays(&sent, places[kind], block.primitive, spawned_rays, spawned_skip);
-            store_sent_weights(at.weight[kind], sent.bits, places[kind], spawned_weights);
-        }
+        const uint bits =
+            find_branches(&buffers, materials, kinds, load_weights(index, weights), min_weight,
+                          &block, RSH_LANE_BITS(block.is_active), &at);
+        if (is_counting)
+            number_branches(&at, index, sum, branches);
+        else if (bits)
+            send_block(&at, &block, index, begin, &next, branches);
     }
+    if (!is_counting) return;
+    counts[me] = sum[RSH_REFLECTED];
+    counts[items + me] = sum[RSH_REFRACTED];
 }
 
 RSH_CALLED static void gather_block(const uint* index, __global const uint2* branches,

@@ -17,17 +17,16 @@ Range items_of(const Context& context, cl_uint rays) {
     return {(items + group - 1) / group * group, group};
 }
 
-// After the arguments that both kernels begin with.
-template <class... More>
-void launch_pass(Recorder& recorder, const WavePass& pass, const char* kernel,
-                 const More&... more) {
+void launch_pass(Recorder& recorder, const WavePass& pass, bool is_counting) {
     const rsh_scene& scene = *pass.scene;
-    recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, kernel),
+    recorder.launch(RSH_STAGE_SPAWN, surface_kernel(scene, "rsh_wave_spawn"),
                     items_of(recorder.context(), pass.part.count), mesh_view_of(scene),
                     scene.geometry.vertices, scene.geometry.indices, scene.normals,
                     scene.material_ids, scene.materials, scene.material_count, pass.part,
                     pass.list_count, branch_kinds(scene), pass.min_weight, pass.rays, pass.hits,
-                    pass.weights, pass.branches, pass.counts, more...);
+                    pass.weights, pass.branches, pass.counts, cl_uint{is_counting},
+                    pass.capacity, pass.spawned_counts, pass.bounce, pass.next_count,
+                    pass.spawned_rays, pass.spawned_weights, pass.spawned_skip);
 }
 
 }  // namespace
@@ -53,7 +52,7 @@ size_t wave_count_words(const Context& context, cl_uint width, cl_uint height) {
 }
 
 void count_branches(Recorder& recorder, const WavePass& pass) {
-    launch_pass(recorder, pass, "rsh_wave_count");
+    launch_pass(recorder, pass, true);
     const Context& context = recorder.context();
     const size_t items = items_of(context, pass.part.count).items;
     recorder.launch(RSH_STAGE_REDUCE, surface_kernel(*pass.scene, "rsh_reduce_scan_counts"),
@@ -62,9 +61,7 @@ void count_branches(Recorder& recorder, const WavePass& pass) {
 }
 
 void spawn_branches(Recorder& recorder, const WavePass& pass) {
-    launch_pass(recorder, pass, "rsh_wave_spawn", pass.capacity, pass.spawned_counts,
-                pass.bounce, pass.next_count, pass.spawned_rays, pass.spawned_weights,
-                pass.spawned_skip);
+    launch_pass(recorder, pass, false);
 }
 
 void gather_branches(Recorder& recorder, const WavePass& pass, cl_mem next, cl_mem colour,
