@@ -7,6 +7,8 @@
  * Consecutive rays mostly are neighbours already, and stay as they are. In a queue that was
  * filled by many work-items they are not: each block would span the scene, and its rays go one
  * by one. A work-item has a range of the rays.
+ *   samples, extents  out  of rsh_sort_rays_measure, in of rsh_sort_rays_keys: of each work-item, a box
+ *                          and `sampled` of RSH_SAMPLES extents
  */
 #include "order/hilbert.h"
 #include "order/sort.h"
@@ -51,53 +53,63 @@ static void add_bounds(sample_bounds* whole, const sample_bounds* part)
     }
 }
 
-__kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint width,
-                                    __global const uint* list_count,
-                                    __global sample_bounds* samples)
+static float share_of(uint converging)
 {
-    const uint count = counted_rays(width, list_count);
-    const range16 mine = my_range16(count, items_of(count));
-    sample_bounds bounds = empty_bounds();
-    for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
-        ray_block block;
-        load_block(list_of(count, g), 0, rays, &block);
-        const sample_bounds origins = bounds_of_rays(&block, 0);
-        add_bounds(&bounds, &origins);
-    }
-    samples[get_global_id(0)] = bounds;
+    return converging ? RSH_CONVERGING_EXTENT : RSH_INCOHERENT_EXTENT;
 }
 
-RSH_CALLED static bool is_incoherent_block(const ray_block* block, float whole, float share)
+static block_extent extent_of(const ray_block* block, const sample_bounds* origins, float share)
 {
-    const sample_bounds origins = bounds_of_rays(block, 0);
-    if (whole > 0.0f) return longest_side(&origins) > share * whole;
     const sample_bounds directions = bounds_of_rays(block, RSH_DIRECTION);
     float longest = 0.0f;
     for (uint axis = 0; axis < 3; ++axis)
         longest = fmax(longest, fmax(fabs(directions.low[axis]), fabs(directions.high[axis])));
-    return longest_side(&directions) > share * 2.0f * longest;
+    return (block_extent){longest_side(origins),
+                          longest_side(&directions) > share * 2.0f * longest};
 }
 
-/* sampled: how many groups this work-item looked at, and how many of them are incoherent. */
-__kernel void rsh_sort_rays_sample(__global const rsh_ray* rays, uint width,
-                                   __global const uint* list_count, uint converging,
-                                   __global const sample_bounds* samples,
-                                   __global uint2* sampled)
+/* Blocks without active rays do not count. */
+RSH_CALLED static sample_bounds sample_rays(__global const rsh_ray* rays, uint count,
+                                            range16 mine, float share,
+                                            __global block_extent* extents)
 {
-    const uint count = counted_rays(width, list_count), items = items_of(count);
-    const range16 mine = my_range16(count, items);
-    const sample_bounds whole = merged_bounds(samples, items);
-    const float longest = longest_side(&whole);
-    const float share = converging ? RSH_CONVERGING_EXTENT : RSH_INCOHERENT_EXTENT;
-    uint2 sum = (uint2)(0);
+    sample_bounds bounds = empty_bounds();
     for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
         ray_block block;
         load_block(list_of(count, g), 0, rays, &block);
         if (!active_lanes(&block)) continue;
-        ++sum.x;
-        sum.y += is_incoherent_block(&block, longest, share);
+        const sample_bounds origins = bounds_of_rays(&block, 0);
+        add_bounds(&bounds, &origins);
+        extents[bounds.sampled++] = extent_of(&block, &origins, share);
     }
-    sampled[get_global_id(0)] = sum;
+    return bounds;
+}
+
+__kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint width,
+                                    __global const uint* list_count, uint converging,
+                                    __global sample_bounds* samples,
+                                    __global block_extent* extents)
+{
+    const uint me = get_global_id(0), count = counted_rays(width, list_count);
+    samples[me] = sample_rays(rays, count, my_range16(count, items_of(count)),
+                              share_of(converging), extents + RSH_SAMPLES * me);
+}
+
+/* Whether so many of the sampled blocks are incoherent that sorting pays. whole: the longest side of the
+ * box around all origins. */
+RSH_CALLED static bool rays_are_incoherent(__global const sample_bounds* samples,
+                                           __global const block_extent* extents, uint items,
+                                           float whole, float share)
+{
+    uint sampled = 0, incoherent = 0;
+    for (uint i = 0; i < items; ++i) {
+        sampled += samples[i].sampled;
+        for (uint s = 0; s < samples[i].sampled; ++s) {
+            const block_extent extent = extents[RSH_SAMPLES * i + s];
+            incoherent += whole > 0.0f ? extent.origins > share * whole : extent.is_wide;
+        }
+    }
+    return incoherent > RSH_INCOHERENT_RAYS(sampled);
 }
 
 RSH_CALLED static void keys_of_rays(const ray_block* block, const sample_bounds* whole,
@@ -126,28 +138,35 @@ RSH_CALLED static void keys_of_rays(const ray_block* block, const sample_bounds*
     }
 }
 
-__kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint width,
-                                 __global const uint* list_count,
-                                 __global const sample_bounds* samples,
-                                 __global const uint2* sampled, __global sort_plan* sorting,
-                                 __global uint* keys, __global uint* bins)
+RSH_CALLED static void write_keys_of_rays(__global const rsh_ray* rays, uint count,
+                                          range16 mine, const sample_bounds* whole,
+                                          uint bin_shift, __global uint* keys,
+                                          __global uint* bins)
 {
-    const uint me = get_global_id(0), bin_shift = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
-    const uint count = counted_rays(width, list_count), items = items_of(count);
-    uint2 sum = (uint2)(0);
-    for (uint i = 0; i < items; ++i) sum += sampled[i];
-    const bool is_needed = sum.y > RSH_INCOHERENT_RAYS(sum.x);
-    if (me == 0) *sorting = (sort_plan){is_needed, bin_shift, count, items};
-    if (!is_needed || me >= items) return;
-    const range16 mine = my_range16(count, items);
-    const sample_bounds whole = merged_bounds(samples, items);
-    __global uint* own = bins + (ulong)RSH_RAY_BINS * me;
-    for (uint b = 0; b < RSH_RAY_BINS; ++b) own[b] = 0;
+    for (uint b = 0; b < RSH_RAY_BINS; ++b) bins[b] = 0;
     for (uint g = mine.begin; g < mine.end; ++g) {
         ray_block block;
         uint key[16];
         load_block(list_of(count, g), 0, rays, &block);
-        keys_of_rays(&block, &whole, key);
-        store_keys(key, g, count, bin_shift, keys, own);
+        keys_of_rays(&block, whole, key);
+        store_keys(key, g, count, bin_shift, keys, bins);
     }
+}
+
+__kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint width,
+                                 __global const uint* list_count, uint converging,
+                                 __global const sample_bounds* samples,
+                                 __global const block_extent* extents,
+                                 __global sort_plan* sorting, __global uint* keys,
+                                 __global uint* bins)
+{
+    const uint me = get_global_id(0), bin_shift = 3 * (RSH_RAY_BITS - RSH_RAY_CELL_BITS);
+    const uint count = counted_rays(width, list_count), items = items_of(count);
+    const sample_bounds whole = merged_bounds(samples, items);
+    const bool is_needed = rays_are_incoherent(samples, extents, items, longest_side(&whole),
+                                               share_of(converging));
+    if (me == 0) *sorting = (sort_plan){is_needed, bin_shift, count, items};
+    if (!is_needed || me >= items) return;
+    write_keys_of_rays(rays, count, my_range16(count, items), &whole, bin_shift, keys,
+                       bins + (ulong)RSH_RAY_BINS * me);
 }

@@ -42,6 +42,13 @@ RSH_ASSERT_SIZE(nodes_head, 64);
 #define RSH_CONES_MADE 0x6e687372u
 #define RSH_BOXES_MADE 0x6f687372u
 
+/* Of a block of a list, before it is sorted. */
+typedef struct block_extent {
+    rsh_float origins; /* longest side of the box around them */
+    rsh_uint is_wide;  /* whether the directions differ much */
+} block_extent;
+RSH_ASSERT_SIZE(block_extent, 8);
+
 /* Shape of a hierarchy over width x height rays. One row or one column counts as a list.
  *
  * Level 0 holds the rays. A node of level l + 1 has branching * branching children of level l:

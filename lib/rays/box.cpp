@@ -5,6 +5,7 @@
 #include "rays/levels.hpp"
 #include "rays/node_shape.hpp"
 #include "rays/types.h"
+#include "tuning.h"
 
 namespace rsh {
 namespace {
@@ -19,13 +20,11 @@ void order_rays(Recorder& recorder, const rsh_build_desc& desc, const ray_levels
     const Sort sort = sort_of_rays(recorder.context(), list);
     const cl_uint rays = list.width[0];
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_measure"), sort.items(),
-                    desc.rays, rays, desc.list_count, scratch["samples"]);
-    recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_sample"), sort.items(),
                     desc.rays, rays, desc.list_count, desc.converging, scratch["samples"],
-                    scratch["sampled"]);
+                    scratch["extents"]);
     recorder.launch(RSH_STAGE_BUILD, tiles_kernel("rsh_sort_rays_keys"), sort.items(),
-                    desc.rays, rays, desc.list_count, scratch["samples"], scratch["sampled"],
-                    scratch["sorting"], scratch["keys"], scratch["bins"]);
+                    desc.rays, rays, desc.list_count, desc.converging, scratch["samples"],
+                    scratch["extents"], scratch["sorting"], scratch["keys"], scratch["bins"]);
     sort.run(recorder, RSH_STAGE_BUILD, scratch, desc.nodes, order_at);
 }
 
@@ -48,7 +47,7 @@ public:
         Layout layout(context.caps.alignment);
         if (!levels.is_list) return layout;
         const Sort sort = sort_of_rays(context, levels);
-        layout.add_array<cl_uint>("sampled", 2 * sort.items().items);
+        layout.add_array<block_extent>("extents", RSH_SAMPLES * sort.items().items);
         sort.reserve(layout);
         return layout;
     }
