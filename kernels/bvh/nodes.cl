@@ -1,9 +1,9 @@
 /* nodes.cl - the nodes above the leaves of several parts, and all nodes that come out of the
- * binary tree.
+ * binary tree, with that tree.
  *   samples      in      the scene's extent, from rsh_order_measure
  *   bvh          in/out  see bvh/layout.h; in: the leaves
  *   child_boxes  in/out  boxes of the leaves, then of the nodes, by their numbers
- *   tree         in/out  RSH_TREE_WORDS; in: as bvh/leaves.cl leaves it
+ *   tree         in/out  RSH_TREE_WORDS
  * Does nothing where the order of the triangles stayed the same.
  */
 #include "bvh/collapse16.h"
@@ -26,30 +26,37 @@ __kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort
     *head_of(bvh) = (bvh_head){RSH_BVH_MADE, layout, nodes, {0}};
 }
 
-/* The tree above the roots of the parts, and the nodes at its top. One work-item: a part has at
- * most 4 roots. */
-__kernel void rsh_nodes_tree_top(bvh_layout given_layout, __global const sort_plan* sorting,
-                                 uint sample_count, __global const sample_bounds* samples,
-                                 __global float* bvh, __global const child_box* child_boxes,
-                                 __global float* tree)
+/* Grows the tree of a part, up to RSH_PART_ROOTS roots. */
+RSH_CALLED static void grow_part(const binary_tree* tree, float node_cost, uint part,
+                                 uint leaves)
 {
-    if (get_global_id(0) != 0 || !sorting->is_needed) return;
-    const bvh_layout layout = given_layout;
-    const float node_cost =
-        RSH_TREE_NODE_COST * leaf_surface_of(samples, sample_count, layout.triangles);
-    const binary_tree growing = tree_in(layout, child_boxes, tree);
-    active_nodes active = no_active_nodes(&growing, layout.parts);
-    for (uint p = 0; p < layout.parts; ++p)
-        for (uint i = 0; i < growing.parts[p].roots; ++i)
-            add_active_node(&growing, &active, growing.parts[p].root[i]);
-    grow_tree(&growing, node_cost, &active, 2 * RSH_LEAVES(layout), 1);
-    __global tree_part* above = growing.parts + layout.parts;
-    const uint end = RSH_NODES(layout);
+    const uint first = part * tree->layout.part_leaves;
+    active_nodes active = no_active_nodes(tree, part);
+    for (uint c = 0; c < leaves; ++c) add_active_node(tree, &active, first + c);
+    grow_tree(tree, node_cost, &active, RSH_LEAVES(tree->layout) + first, RSH_PART_ROOTS);
+    __global tree_part* made = tree->parts + part;
+    for (uint i = 0; i < active.count; ++i) made->root[i] = active.number[i];
+    made->roots = active.count;
+    made->waiting = RSH_NO_BRANCH;
+    made->first_node = (part + 1) * tree->layout.part_nodes;
+}
+
+/* Grows the tree above the roots of the parts, and makes the nodes at its top. A part has at most 4
+ * roots. */
+RSH_CALLED static void make_top(const binary_tree* tree, float node_cost, __global float* bvh)
+{
+    active_nodes active = no_active_nodes(tree, tree->layout.parts);
+    for (uint p = 0; p < tree->layout.parts; ++p)
+        for (uint i = 0; i < tree->parts[p].roots; ++i)
+            add_active_node(tree, &active, tree->parts[p].root[i]);
+    grow_tree(tree, node_cost, &active, 2 * RSH_LEAVES(tree->layout), 1);
+    __global tree_part* above = tree->parts + tree->layout.parts;
+    const uint end = RSH_NODES(tree->layout);
     above->waiting = RSH_NO_BRANCH;
     above->first_node = end - 1;
-    make_node(&growing, active.number[0], end - 1, bvh);
-    make_waiting_nodes(&growing, above, bvh);
-    *head_of(bvh) = (bvh_head){0, layout, {above->first_node, end}, {0}};
+    make_node(tree, active.number[0], end - 1, bvh);
+    make_waiting_nodes(tree, above, bvh);
+    *head_of(bvh) = (bvh_head){0, tree->layout, {above->first_node, end}, {0}};
 }
 
 /* Asks for the cache lines of a part that will be read in no order. */
@@ -60,19 +67,34 @@ static void expect_part(const binary_tree* tree, uint part)
     for (uint i = 0; i < room; i += 2) RSH_EXPECT_LOAD(tree->leaves + first + i);
 }
 
-/* A work-item makes the nodes of a part. Afterwards the BVH is complete. */
-__kernel void rsh_nodes_tree_parts(bvh_layout given_layout, __global const sort_plan* sorting,
-                                   __global float* bvh, __global const child_box* child_boxes,
-                                   __global float* tree)
+RSH_CALLED static void make_part(const binary_tree* tree, uint part, __global float* bvh)
+{
+    expect_part(tree, part);
+    make_waiting_nodes(tree, tree->parts + part, bvh);
+    bvh_parts(&tree->layout, bvh)[part].nodes =
+        (node_range){tree->parts[part].first_node, (part + 1) * tree->layout.part_nodes};
+    if (part == 0) head_of(bvh)->made = RSH_BVH_MADE;
+}
+
+/* Launched for each tree_pass. Afterwards the BVH is complete. */
+__kernel void rsh_nodes_tree(bvh_layout given_layout, __global const sort_plan* sorting,
+                             uint sample_count, __global const sample_bounds* samples,
+                             uint pass, __global float* bvh,
+                             __global const child_box* child_boxes, __global float* tree)
 {
     const bvh_layout layout = given_layout;
     const uint me = get_global_id(0);
     if (me >= layout.parts) return; /* launch is rounded up to whole groups */
     if (!sorting->is_needed) return;
-    const binary_tree grown = tree_in(layout, child_boxes, tree);
-    expect_part(&grown, me);
-    make_waiting_nodes(&grown, grown.parts + me, bvh);
-    bvh_parts(&layout, bvh)[me].nodes =
-        (node_range){grown.parts[me].first_node, (me + 1) * layout.part_nodes};
-    if (me == 0) head_of(bvh)->made = RSH_BVH_MADE;
+    const binary_tree growing = tree_in(layout, child_boxes, tree);
+    if (pass == RSH_NODES_PASS) {
+        make_part(&growing, me, bvh);
+        return;
+    }
+    const float node_cost =
+        RSH_TREE_NODE_COST * leaf_surface_of(samples, sample_count, layout.triangles);
+    if (pass == RSH_GROW_PASS)
+        grow_part(&growing, node_cost, me, bvh_parts(&layout, bvh)[me].leaves);
+    else
+        make_top(&growing, node_cost, bvh);
 }

@@ -6,15 +6,28 @@
  *   wrong              out     RSH_WRONG_BOUNDS: a refit found no BVH of this layout
  *   bvh                in/out  with is_refit, its order stays if that still serves
  *                              (bvh/refit_quality.h); otherwise it is marked as not made
- *   now                in      how compact that order is now; rsh_order_quality measures it
+ *   now                in/out  how compact that order is now
  * Where ranges of 16 triangles are compact as they come, as in most meshes, triangles keep
- * their order within a cell; where they are not, each cell is sorted too. The device decides. A
- * work-item has a range of the triangles.
+ * their order within a cell; where they are not, each cell is sorted too. The device decides.
+ * One kernel for all passes (order_pass in bvh/types.h): each loads triangles, most of what there
+ * is to compile.
  */
 #include "bvh/refit_quality.h"
 #include "order/hilbert.h"
 #include "order/sort.h"
 #include "tuning.h"
+
+/* What all passes look at, and what they leave for those that follow. */
+typedef struct order_state {
+    mesh_view mesh;
+    __global const float* vertices;
+    __global const uint* indices;
+    bvh_layout layout;
+    uint item, items; /* which work-item, of how many */
+    __global float* bvh;
+    __global sample_bounds* samples;
+    __global sort_plan* sorting;
+} order_state;
 
 RSH_CALLED static void sample_triangles(const boxes16* boxes, sample_bounds* bounds)
 {
@@ -29,18 +42,15 @@ RSH_CALLED static void sample_triangles(const boxes16* boxes, sample_bounds* bou
         surface_of(low, high) > RSH_INCOHERENT_SURFACE * surface_of_boxes(boxes);
 }
 
-/* Measures the order that the BVH holds; with is_record, only one that was made just now. */
-__kernel void rsh_order_quality(mesh_view mesh, __global const float* vertices,
-                                __global const uint* indices, bvh_layout layout, uint is_record,
-                                __global const sort_plan* sorting, __global const float* bvh,
-                                __global float* qualities, ulong first)
+/* Measures one sample of the order that the BVH holds. */
+RSH_CALLED static void measure_quality(const order_state* state,
+                                       __global refit_quality* qualities)
 {
-    const uint me = get_global_id(0);
-    if (me >= RSH_QUALITY_SAMPLES) return; /* launch is rounded up to whole groups */
-    if (is_record ? !sorting->is_needed : !are_made_of(bvh, layout)) return;
-    __global const uint* order = (__global const uint*)bvh + RSH_ORDER_AT(layout);
-    ((__global refit_quality*)(qualities + first))[me] =
-        quality_at(me, mesh, vertices, indices, order, (layout.triangles + 15) / 16);
+    if (state->item >= RSH_QUALITY_SAMPLES) return; /* launch is rounded up to whole groups */
+    __global const uint* order = (__global const uint*)state->bvh + RSH_ORDER_AT(state->layout);
+    qualities[state->item] =
+        quality_at(state->item, state->mesh, state->vertices, state->indices, order,
+                   (state->layout.triangles + 15) / 16);
 }
 
 static bool keeps_order(uint is_refit, __global const refit_quality* now,
@@ -50,29 +60,22 @@ static bool keeps_order(uint is_refit, __global const refit_quality* now,
            order_serves(now, (__global const refit_quality*)(bvh + RSH_QUALITY_AT(layout)));
 }
 
-/* Decides, for all launches that follow, whether there will be a new order. */
-__kernel void rsh_order_measure(mesh_view mesh, __global const float* vertices,
-                                __global const uint* indices, bvh_layout layout, uint is_refit,
-                                __global const refit_quality* now, __global const float* bvh,
-                                __global sample_bounds* samples, __global sort_plan* sorting,
-                                volatile __global uint* wrong)
+/* Decides, for all launches that follow, whether there will be a new order. A work-item has a range
+ * of the triangles, here and for the keys. */
+RSH_CALLED static void sample_range(const order_state* state, bool is_kept, range16 mine)
 {
-    const bool is_kept = keeps_order(is_refit, now, bvh, layout);
-    if (is_refit && get_global_id(0) == 0 && const_head_of(bvh)->made != RSH_BVH_MADE)
-        atomic_or(wrong, RSH_WRONG_BOUNDS);
-    if (get_global_id(0) == 0)
-        *sorting = (sort_plan){!is_kept, 0, mesh.triangle_count, get_global_size(0)};
+    if (state->item == 0)
+        *state->sorting = (sort_plan){!is_kept, 0, state->mesh.triangle_count, state->items};
     if (is_kept) return;
-    const range16 mine = my_range16(mesh.triangle_count, get_global_size(0));
     sample_bounds bounds = empty_bounds();
     for (uint g = mine.begin; g < mine.end; g += sampling_step(mine)) {
         corner_rows corners;
         boxes16 boxes;
-        load_corners(mesh, vertices, indices, 0, 16 * g, &corners);
+        load_corners(state->mesh, state->vertices, state->indices, 0, 16 * g, &corners);
         boxes_of_corners(&corners, &boxes);
         sample_triangles(&boxes, &bounds);
     }
-    samples[get_global_id(0)] = bounds;
+    state->samples[state->item] = bounds;
 }
 
 /* How triangles get their keys: cell << bin_shift | place along the curve within the cell. */
@@ -88,9 +91,9 @@ static bool triangles_are_incoherent(sample_bounds bounds)
     return bounds.incoherent > RSH_INCOHERENT_TRIANGLES(bounds.sampled);
 }
 
-static key_grid grid_of(__global const sample_bounds* samples, uint cell_bits)
+static key_grid grid_of(__global const sample_bounds* samples, uint items, uint cell_bits)
 {
-    const sample_bounds whole = merged_bounds(samples, get_global_size(0));
+    const sample_bounds whole = merged_bounds(samples, items);
     const float longest = longest_side(&whole);
     key_grid grid;
     for (uint axis = 0; axis < 3; ++axis) grid.low[axis] = whole.low[axis];
@@ -128,27 +131,46 @@ RSH_CALLED static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* 
 }
 
 /* Keys of all triangles, and how many of them are in each cell. */
-__kernel void rsh_order_keys(mesh_view mesh, __global const float* vertices,
-                             __global const uint* indices, __global float* bvh, uint cell_bits,
-                             __global const sample_bounds* samples, __global sort_plan* sorting,
-                             __global uint* keys, __global uint* bins)
+RSH_CALLED static void write_keys(const order_state* state, uint cell_bits, range16 mine,
+                                  __global uint* keys, __global uint* bins)
 {
-    if (!sorting->is_needed) return;
-    const range16 mine = my_range16(mesh.triangle_count, get_global_size(0));
-    const key_grid grid = grid_of(samples, cell_bits);
-    if (get_global_id(0) == 0) {
-        sorting->bin_shift = grid.bin_shift;
-        head_of(bvh)->made = 0;
+    const key_grid grid = grid_of(state->samples, state->items, cell_bits);
+    if (state->item == 0) {
+        state->sorting->bin_shift = grid.bin_shift;
+        head_of(state->bvh)->made = 0;
     }
-    __global uint* own = bins + (ulong)RSH_ORDER_BINS(cell_bits) * get_global_id(0);
+    __global uint* own = bins + (ulong)RSH_ORDER_BINS(cell_bits) * state->item;
     for (uint b = 0; b < RSH_ORDER_BINS(cell_bits); ++b) own[b] = 0;
     for (uint g = mine.begin; g < mine.end; ++g) {
         corner_rows corners;
         boxes16 boxes;
         uint key[16];
-        load_corners(mesh, vertices, indices, 0, 16 * g, &corners);
+        load_corners(state->mesh, state->vertices, state->indices, 0, 16 * g, &corners);
         boxes_of_corners(&corners, &boxes);
         keys_of_boxes(&boxes, grid, key);
-        store_keys(key, g, mesh.triangle_count, grid.bin_shift, keys, own);
+        store_keys(key, g, state->mesh.triangle_count, grid.bin_shift, keys, own);
     }
+}
+
+__kernel void rsh_order(mesh_view mesh, __global const float* vertices,
+                        __global const uint* indices, bvh_layout layout, uint pass,
+                        uint is_refit, uint cell_bits, __global refit_quality* now,
+                        __global float* bvh, __global sample_bounds* samples,
+                        __global sort_plan* sorting, __global uint* keys, __global uint* bins,
+                        volatile __global uint* wrong)
+{
+    const order_state state = {mesh,   vertices,         indices,
+                               layout, get_global_id(0), get_global_size(0),
+                               bvh,    samples,          sorting};
+    __global refit_quality* made = (__global refit_quality*)(bvh + RSH_QUALITY_AT(layout));
+    const range16 mine = my_range16(mesh.triangle_count, state.items);
+    if (pass == RSH_QUALITY_PASS && are_made_of(bvh, layout)) measure_quality(&state, now);
+    if (pass == RSH_SAMPLE_PASS) {
+        if (is_refit && state.item == 0 && head_of(bvh)->made != RSH_BVH_MADE)
+            atomic_or(wrong, RSH_WRONG_BOUNDS);
+        sample_range(&state, keeps_order(is_refit, now, bvh, layout), mine);
+    }
+    if (pass == RSH_KEYS_PASS && sorting->is_needed)
+        write_keys(&state, cell_bits, mine, keys, bins);
+    if (pass == RSH_RECORD_PASS && sorting->is_needed) measure_quality(&state, made);
 }

@@ -77,6 +77,21 @@ typedef struct refit_quality {
 } refit_quality;
 RSH_ASSERT_SIZE(refit_quality, 12);
 
+/* What bvh/order.cl does when it is launched, in this order. */
+enum order_pass {
+    RSH_QUALITY_PASS, /* of a refit: how compact is the order that the BVH holds? */
+    RSH_SAMPLE_PASS, /* where is the scene, and does it get a new order? The keys follow if so, */
+    RSH_KEYS_PASS,
+    RSH_RECORD_PASS /* and, when triangles are sorted, how compact the new order is */
+};
+
+/* What bvh/nodes.cl does with the binary tree when it is launched, in this order. */
+enum tree_pass {
+    RSH_GROW_PASS, /* a work-item each grows the tree of a part, */
+    RSH_TOP_PASS,  /* one the tree above the parts, whose nodes it makes, */
+    RSH_NODES_PASS /* and one each makes the nodes of a part */
+};
+
 /* Consecutive nodes, each behind its children: the last is the topmost. */
 typedef struct node_range {
     rsh_uint first, end;

@@ -31,14 +31,12 @@ public:
 
     // bvh/order.cl.
     void order() const {
-        if (is_refit_) measure_quality(scratch_["quality"], 0, false);
-        launch("rsh_order_measure", sort_.items(), layout_, is_refit_, scratch_["quality"],
-               desc_.bounds, scratch_["samples"], scratch_["sorting"],
-               recorder_.wrong_buffers());
-        launch("rsh_order_keys", sort_.items(), desc_.bounds, cell_bits(mesh_.triangle_count),
-               scratch_["samples"], scratch_["sorting"], scratch_["keys"], scratch_["bins"]);
+        const Range samples = {RSH_QUALITY_SAMPLES, 1};
+        if (is_refit_) order_pass(RSH_QUALITY_PASS, samples);
+        order_pass(RSH_SAMPLE_PASS, sort_.items());
+        order_pass(RSH_KEYS_PASS, sort_.items());
         sort_.run(recorder_, RSH_STAGE_BOUND, scratch_, desc_.bounds, RSH_ORDER_AT(layout_));
-        measure_quality(desc_.bounds, RSH_QUALITY_AT(layout_), true);
+        order_pass(RSH_RECORD_PASS, samples);
     }
 
     // bvh/leaves.cl: where the order is a new one.
@@ -46,18 +44,16 @@ public:
         const cl_uint sample_count = sort_.items().items,
                       is_quality = desc_.mode != RSH_BOUND_FAST;
         launch("rsh_leaves", parts(), layout_, scratch_["sorting"], sample_count,
-               scratch_["samples"], is_quality, desc_.bounds, scratch_["child boxes"],
-               scratch_.find("tree"));
+               scratch_["samples"], is_quality, desc_.bounds, scratch_["child boxes"]);
         if (!is_quality) {
             launch_above("rsh_nodes_from_ranges", {1, 1}, scratch_["sorting"], sample_count,
                          scratch_["samples"], desc_.bounds, scratch_["child boxes"]);
             return;
         }
-        launch_above("rsh_nodes_tree_top", {1, 1}, scratch_["sorting"], sample_count,
-                     scratch_["samples"], desc_.bounds, scratch_["child boxes"],
-                     scratch_["tree"]);
-        launch_above("rsh_nodes_tree_parts", parts(), scratch_["sorting"], desc_.bounds,
-                     scratch_["child boxes"], scratch_["tree"]);
+        for (const cl_uint pass : {RSH_GROW_PASS, RSH_TOP_PASS, RSH_NODES_PASS})
+            launch_above("rsh_nodes_tree", pass == RSH_TOP_PASS ? Range{1, 1} : parts(),
+                         scratch_["sorting"], sample_count, scratch_["samples"], pass,
+                         desc_.bounds, scratch_["child boxes"], scratch_["tree"]);
     }
 
     // bvh/refit.cl: where the order was kept.
@@ -70,9 +66,10 @@ public:
     }
 
 private:
-    void measure_quality(cl_mem quality, cl_ulong first, bool is_record) const {
-        launch("rsh_order_quality", {RSH_QUALITY_SAMPLES, 1}, layout_, cl_uint{is_record},
-               scratch_["sorting"], desc_.bounds, quality, first);
+    void order_pass(cl_uint pass, Range range) const {
+        launch("rsh_order", range, layout_, pass, is_refit_, cell_bits(mesh_.triangle_count),
+               scratch_["quality"], desc_.bounds, scratch_["samples"], scratch_["sorting"],
+               scratch_["keys"], scratch_["bins"], recorder_.wrong_buffers());
     }
 
     Range parts() const { return recorder_.serial_range(layout_.parts); }
