@@ -124,9 +124,9 @@ static void offer(const raster_input* input, pixel_square* square, uint i)
 }
 
 /* Offers the square what its tile's lists hold. */
-static void offer_lists(const screen_setup* screen, const raster_input* input, uint tile,
-                        __global const uint* ends, __global const uint* lists,
-                        pixel_square* square)
+RSH_CALLED static void offer_lists(const screen_setup* screen, const raster_input* input,
+                                   uint tile, __global const uint* ends,
+                                   __global const uint* lists, pixel_square* square)
 {
     for (uint range = 0; range < screen->range_count; ++range) {
         __global const uint* list_end = ends + (ulong)range * screen->tile_count + tile;

@@ -32,27 +32,33 @@ static void load_keys(__global const uint* keys, uint count, uint* key)
         for (uint k = 0; k < count; ++k) key[k] = keys[k];
 }
 
-__kernel void rsh_sort_scatter(uint bin_count, __global const sort_plan* sorting,
-                               __global const uint* keys, __global uint* bins,
-                               __global uint* order, ulong first)
+/* places: of each bin, where the next element goes. */
+RSH_CALLED static void scatter(range16 mine, uint count, uint bin_shift,
+                               __global const uint* keys, __global uint* places,
+                               __global uint* order)
 {
-    if (!sorting->is_needed) return;
-    const uint count = sorting->count, bin_shift = sorting->bin_shift;
-    const range16 mine = my_range16(count, sorting->items);
-    __global uint* own = bins + (ulong)bin_count * get_global_id(0);
     for (uint g = mine.begin; g < mine.end; ++g) {
         const uint here = min(16u, count - 16 * g);
         uint key[16];
         load_keys(keys + 16 * g, here, key);
         if (here == 16 && are_in_one_bin(key, bin_shift)) {
-            __global uint* at = order + first + own[key[0] >> bin_shift];
+            __global uint* at = order + places[key[0] >> bin_shift];
             for_each_vector(v)
                 store_lanes(as_uintv(RSH_LANES) + (16 * g + RSH_WIDTH * v), at + RSH_WIDTH * v);
-            own[key[0] >> bin_shift] += 16;
+            places[key[0] >> bin_shift] += 16;
             continue;
         }
-        for (uint k = 0; k < here; ++k) order[first + own[key[k] >> bin_shift]++] = 16 * g + k;
+        for (uint k = 0; k < here; ++k) order[places[key[k] >> bin_shift]++] = 16 * g + k;
     }
+}
+
+__kernel void rsh_sort_scatter(uint bin_count, __global const sort_plan* sorting,
+                               __global const uint* keys, __global uint* bins,
+                               __global uint* order, ulong first)
+{
+    if (!sorting->is_needed) return;
+    scatter(my_range16(sorting->count, sorting->items), sorting->count, sorting->bin_shift,
+            keys, bins + (ulong)bin_count * get_global_id(0), order + first);
 }
 
 /* Values of a digit of six bits. */

@@ -115,6 +115,13 @@ RSH_CALLED static void bound_tile(ray_tile tile, __global const rsh_ray* rays,
     }
 }
 
+RSH_CALLED static void store_rows(const node_rows* rows, __global float* out)
+{
+    for (uint f = 0; f < RSH_NODE_ROWS; ++f)
+        for_each_vector(v)
+            store_lanes(load_lanes(rows->row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);
+}
+
 __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
                               __global const rsh_ray* rays, uint is_converging,
                               __global const sort_plan* sorting, uint order_at,
@@ -131,8 +138,5 @@ __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
         tile_at(levels, is_sorted ? (__global const uint*)nodes + order_at : 0, me);
     node_rows rows;
     bound_tile(tile, rays, is_converging, &rows);
-    __global float* out = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
-    for (uint f = 0; f < RSH_NODE_ROWS; ++f)
-        for_each_vector(v)
-            store_lanes(load_lanes(rows.row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);
+    store_rows(&rows, nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me);
 }
