@@ -3,7 +3,7 @@
  * frames (is_quality), bvh/nodes.cl makes nodes out of a binary tree instead, slower to make and
  * quicker to trace.
  *   vertices, indices  in      triangles
- *   samples            in      the scene's extent, from rsh_order_measure
+ *   samples            in      the scene's extent, from rsh_order
  *   bvh                in/out  see bvh/layout.h; in: the order of the triangles
  *   child_boxes        out     boxes of the leaves, then of the nodes, by their numbers
  * Does nothing where the order stayed the same: then bvh/refit.cl does.

@@ -1,6 +1,6 @@
 /* nodes.cl - the nodes above the leaves of several parts, and all nodes that come out of the
  * binary tree, with that tree.
- *   samples      in      the scene's extent, from rsh_order_measure
+ *   samples      in      the scene's extent, from rsh_order
  *   bvh          in/out  see bvh/layout.h; in: the leaves
  *   child_boxes  in/out  boxes of the leaves, then of the nodes, by their numbers
  *   tree         in/out  RSH_TREE_WORDS
