@@ -80,16 +80,18 @@ TEST(Device, CanBeMoved) {
 
 TEST(Device, BuffersAreItsOwnAndFreeThemselves) {
     const rsh::Device device;
-    const cl_uint before = references(device.context());
+    cl::Buffer kept;
     {
         const rsh::Buffer buffer = device.upload(std::vector<cl_ushort>{1, 2, 3});
-        EXPECT_EQ(cl::Buffer(buffer.get(), true).getInfo<CL_MEM_SIZE>(), 6u);
-        EXPECT_GT(references(device.context()), before);
+        kept = cl::Buffer(buffer.get(), true);
+        EXPECT_EQ(kept.getInfo<CL_MEM_SIZE>(), 6u);
+        EXPECT_EQ(kept.getInfo<CL_MEM_CONTEXT>()(), device.context());
         device.write(buffer.get(), std::vector<cl_ushort>{4, 5});
         EXPECT_EQ(device.download<cl_ushort>(buffer.get(), 3),
                   (std::vector<cl_ushort>{4, 5, 3}));
+        EXPECT_EQ(kept.getInfo<CL_MEM_REFERENCE_COUNT>(), 2u);
     }
-    EXPECT_EQ(references(device.context()), before);
+    EXPECT_EQ(kept.getInfo<CL_MEM_REFERENCE_COUNT>(), 1u);
 }
 
 TEST(Device, EmptyArraysAreNoBuffer) {
