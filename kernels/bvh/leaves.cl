@@ -13,6 +13,7 @@
 #include "bvh/nodes_from_ranges.h"
 
 /* A work-item takes a part. */
+RSH_FILLS_VECTORS
 __kernel void rsh_leaves(mesh_view mesh, __global const float* vertices,
                          __global const uint* indices, bvh_layout given_layout,
                          __global const sort_plan* sorting, uint sample_count,

@@ -13,6 +13,7 @@
 
 /* Ranges of the parts' nodes, of these, and so on, up to one node. One work-item: the parts
  * have 200 times fewer nodes than triangles. */
+RSH_FILLS_VECTORS
 __kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort_plan* sorting,
                                     uint sample_count, __global const sample_bounds* samples,
                                     __global float* bvh, __global child_box* child_boxes)
@@ -77,6 +78,7 @@ RSH_CALLED static void make_part(const binary_tree* tree, uint part, __global fl
 }
 
 /* Launched for each tree_pass. Afterwards the BVH is complete. */
+RSH_FILLS_VECTORS
 __kernel void rsh_nodes_tree(bvh_layout given_layout, __global const sort_plan* sorting,
                              uint sample_count, __global const sample_bounds* samples,
                              uint pass, __global float* bvh,

@@ -152,6 +152,7 @@ RSH_CALLED static void write_keys(const order_state* state, uint cell_bits, rang
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_order(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, bvh_layout layout, uint pass,
                         uint is_refit, uint cell_bits, __global refit_quality* now,

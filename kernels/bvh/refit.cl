@@ -69,6 +69,7 @@ static node_range within(node_range range, uint first, uint end)
 }
 
 /* A work-item refits the leaves of a part, then its nodes. */
+RSH_FILLS_VECTORS
 __kernel void rsh_refit(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, bvh_layout given_layout,
                         __global const sort_plan* sorting, __global float* bvh,

@@ -141,6 +141,7 @@ RSH_CALLED static void offer_lists(const screen_setup* screen, const raster_inpu
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_rasterize_tiles(screen_setup screen, mesh_view mesh,
                                   __global const float* vertices, __global const uint* indices,
                                   __global const ushort4* boxes, __global const uint* ends,

@@ -122,6 +122,7 @@ RSH_CALLED static void store_rows(const node_rows* rows, __global float* out)
             store_lanes(load_lanes(rows->row[f] + RSH_WIDTH * v), out + 16 * f + RSH_WIDTH * v);
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_build_boxes(ray_levels shape, __global const uint* list_count,
                               __global const rsh_ray* rays, uint is_converging,
                               __global const sort_plan* sorting, uint order_at,

@@ -85,6 +85,7 @@ RSH_CALLED static sample_bounds sample_rays(__global const rsh_ray* rays, uint c
     return bounds;
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_sort_rays_measure(__global const rsh_ray* rays, uint width,
                                     __global const uint* list_count, uint converging,
                                     __global sample_bounds* samples,
@@ -153,6 +154,7 @@ RSH_CALLED static void write_keys_of_rays(__global const rsh_ray* rays, uint cou
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_sort_rays_keys(__global const rsh_ray* rays, uint width,
                                  __global const uint* list_count, uint converging,
                                  __global const sample_bounds* samples,

@@ -47,6 +47,7 @@ static void add_to_colours(float3v sum, const uint* index, uint bits, __global f
     store_rows4(row, bits, (__global float*)colour, 4, index);
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
                       __global const uint* indices, __global const float* normals,
                       __global const uint* material_ids, __global const rsh_material* materials,

@@ -58,6 +58,7 @@ static void store_surfaces(const ray_lanes* block, const surface_lanes* surface,
                     4 * RSH_SURFACE_ROWS, index);
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_find_surfaces(mesh_view mesh, __global const float* vertices,
                                 __global const uint* indices, __global const float* normals,
                                 __global const float* texcoords,

@@ -30,6 +30,7 @@ static void add_lights(const seen_block* block, const look_buffers* look, uint s
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_shade(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const float* texcoords, __global const uint* material_ids,

@@ -71,6 +71,7 @@ RSH_CALLED static uint shade_block(const surface_buffers* buffers, const look_bu
     return popcount(sent.bits);
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_shade_lit(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, __global const float* normals,
                             __global const float* texcoords, __global const uint* material_ids,

@@ -10,6 +10,7 @@
 #include "rays/levels.h"
 #include "shade/branch.h"
 
+RSH_FILLS_VECTORS
 __kernel void rsh_spawn(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const float* normals,
                         __global const uint* material_ids,

@@ -21,6 +21,7 @@ static uint lit_lanes(__global const rsh_material* materials, const surface_lane
                                           (float3v){specular[0], specular[1], specular[2]}));
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_spawn_shadow(mesh_view mesh, __global const float* vertices,
                                __global const uint* indices, __global const float* normals,
                                __global const uint* material_ids,

@@ -116,6 +116,7 @@ RSH_CALLED static void send_block(const branch_lanes* at, const ray_lanes* block
  *               written.
  *   next_count  out  how many are
  */
+RSH_FILLS_VECTORS
 __kernel void rsh_wave_spawn(mesh_view mesh, __global const float* vertices,
                              __global const uint* indices, __global const float* normals,
                              __global const uint* material_ids,
@@ -184,6 +185,7 @@ RSH_CALLED static void gather_block(const uint* index, __global const uint2* bra
  *   next_count  in  0: it has none; NULL: some
  *   next        in  colours of the next wave
  */
+RSH_FILLS_VECTORS
 __kernel void rsh_wave_gather(wave_part part, __global const uint* list_count,
                               __global const uint2* branches, __global const uint* next_count,
                               __global const float4* next, __global float4* colour)

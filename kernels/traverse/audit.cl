@@ -140,6 +140,7 @@ static void audit_rays(const triangles_left* left, const given_answers* given,
     atomic_min(report + RSH_REPORT_FIRST_RAY, first_ray);
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_audit(mesh_view mesh, __global const float* vertices,
                         __global const uint* indices, __global const rsh_ray* rays,
                         __global const uint* skip, uint ray_count,

@@ -18,6 +18,7 @@
 #include "tuning.h"
 
 /* A work-item takes the blocks of a tile. */
+RSH_FILLS_VECTORS
 __kernel void rsh_intersect_ranges(ray_levels shape, __global const uint* list_count,
                                    mesh_view mesh, __global const float* vertices,
                                    __global const uint* indices, __global const rsh_ray* rays,
@@ -78,6 +79,7 @@ static void intersect_gathered(const range_target* target, ray_tile tile,
 /* A work-item takes a tile whose ancestor, at step.level + 1, was left over by the stream: the
  * ancestor's triangles against the blocks of the tile, then against their rays. Levels in
  * between are skipped. nodes: those of rsh_build. */
+RSH_FILLS_VECTORS
 __kernel void rsh_intersect_ranges_finish(
     ray_levels shape, __global const uint* list_count, range_step given, mesh_view mesh,
     __global const float* vertices, __global const uint* indices, __global const rsh_ray* rays,

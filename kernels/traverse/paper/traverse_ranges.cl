@@ -19,6 +19,7 @@
 
 /* groups: from word first_word of `groups` on. At the root the traversal ends where bounds or
  * nodes are not its own: no triangle meets anything. */
+RSH_FILLS_VECTORS
 __kernel void rsh_traverse_ranges_count(
     range_step given, bvh_layout scene_shape, ray_levels shape, __global const uint* list_count,
     __global const float* bounds, __global const float* nodes, __global const float* groups,
@@ -76,6 +77,7 @@ static void place_children(range_step step, __global const uint* counts, uint me
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_traverse_ranges_emit(ray_levels shape, __global const uint* list_count,
                                        range_step given, __global const uint* triangles,
                                        __global const ushort* masks,

@@ -9,6 +9,7 @@
 #include "lanes/stride.h"
 #include "traverse/paper_faithful/closest_hit_atomic.h"
 
+RSH_FILLS_VECTORS
 __kernel void rsh_intersect(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, __global const rsh_ray* rays,
                             __global const uint* skip, __global const stream_pair* pairs,

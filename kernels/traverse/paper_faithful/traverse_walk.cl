@@ -71,6 +71,7 @@ static void walk_down(const hit_target* target, const ray_levels* levels, uint t
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_traverse_walk(ray_levels shape, uint level, uint limit, mesh_view mesh,
                                 __global const float* vertices, __global const uint* indices,
                                 __global const rsh_ray* rays, __global const uint* skip,

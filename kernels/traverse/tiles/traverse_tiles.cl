@@ -227,6 +227,7 @@ static void add_tests_per_ray(const traversal_state* state, __global uint* tests
     }
 }
 
+RSH_FILLS_VECTORS
 __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, mesh_view mesh,
                                  __global const float* vertices, __global const uint* indices,
                                  ray_levels shape, __global const uint* list_count,
