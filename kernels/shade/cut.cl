@@ -13,8 +13,9 @@
 /* What such branches see. */
 typedef struct cut_light {
     image_list images;
-    uint image;    /* of the environment */
-    bool is_plain; /* the same in all directions: no image */
+    uint image;      /* of the environment */
+    uint is_ambient; /* they see the ambient light, and no image */
+    uint features;   /* of the scene */
     float3 colour;
 } cut_light;
 
@@ -22,7 +23,8 @@ typedef struct cut_light {
 static float3v cut_colours(const cut_light* light, const branch_lanes* at,
                            const departure_lanes* from, uint kind, uint bits)
 {
-    if (light->is_plain) return lanes_of(light->colour);
+    if (light->is_ambient || !has_environment_image(light->features))
+        return lanes_of(light->colour);
     float row[3][RSH_WIDTH], seen[3][RSH_WIDTH];
     store_v(send_branches(at, from, kind, true).direction, row);
     for (uint k = 0; k < RSH_WIDTH; ++k) {
@@ -60,9 +62,11 @@ __kernel void rsh_cut(mesh_view mesh, __global const float* vertices,
 {
     const surface_buffers buffers = {mesh,    vertices,     indices,
                                      normals, material_ids, material_count};
-    const bool is_plain = is_ambient || !has_environment_image(mesh.features);
-    const cut_light light = {
-        {textures, texture_count, texels}, environment_image, is_plain, colour_of_cut.xyz};
+    const cut_light light = {{textures, texture_count, texels},
+                             environment_image,
+                             is_ambient,
+                             mesh.features,
+                             colour_of_cut.xyz};
     const strided_range mine = my_blocks(counted_rays(ray_count, list_count));
     for (uint i = mine.begin; i < mine.end; i += RSH_WIDTH * mine.step) {
         uint index[RSH_WIDTH];

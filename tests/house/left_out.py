@@ -4,9 +4,10 @@ not have it.
 
 Features that the preprocessor leaves out (#if): the text after preprocessing is that of sources from which the
 blocks were deleted, by another hand than the preprocessor's. Features that are left out by a test of a constant
-(if, ?:): the functions of the feature lose their bodies, so that a call that is left has nothing to call; the
-LLVM IR that clang's OpenCL front end makes at -O1 is the same, instruction by instruction. There the text is not
-the same: the tests are in it, and what they guard.
+(if, ?:): the functions of the feature lose their bodies, so that a call that is left has nothing to call; what
+clang's OpenCL front end makes of both is the same LLVM IR, instruction by instruction, once the tests are inlined
+and what they guard is dropped, before any other optimization. There the text is not the same: the tests are in
+it, and what they guard.
 
 Each comparison is also made with the feature compiled in, where it must fail: else it would show nothing.
 Ends with 1 when one fails."""
@@ -19,10 +20,12 @@ from pathlib import Path
 
 CLANG = ("clang", "-x", "cl", "-cl-std=CL1.2", "-target", "spir64", "-D__OPENCL_VERSION__=120", "-w",
          "-Xclang", "-finclude-default-header", "-Xclang", "-fdeclare-opencl-builtins")
+# Tests are inlined, constants propagated, dead branches and functions dropped; else nothing is changed.
+FOLD = ("opt", "-S", "-passes=always-inline,function(sroa,sccp,simplifycfg),globaldce")
 WIDTHS = (1, 8)
-# Of programs/surface: what no program without these features calls, where only they are left out, or all that
-# are named. rsh_find_surfaces gives texture coordinates whether or not there are textures; and refraction, which
-# it is told at run time not to make, is in every program: without RSH_TRANSMISSION mirrored rays alone do without.
+# Of programs/surface: what no program without the feature calls. Not everything is left out: rsh_find_surfaces
+# gives texture coordinates whether or not there are textures; and refraction, which calls are told at run time not
+# to make, is in every program (without RSH_TRANSMISSION mirrored rays alone do without).
 FUNCTIONS = {
     ("RSH_SMOOTH_NORMAL",): ("load_vertex_normals", "smooth_normals", "smooth_normals_at"),
     ("RSH_TEXTURE",): ("texture_colour",),
@@ -49,9 +52,11 @@ def compiled(folder, stem, defines, width, *how):
 
 
 def instructions(folder, stem, defines, width):
-    """LLVM IR without the name of the file."""
-    text = compiled(folder, stem, defines, width, "-O1", "-S", "-emit-llvm")
-    return [line for line in text.splitlines() if not line.startswith(("source_filename", "; ModuleID"))]
+    """LLVM IR without the name of the file, its functions and declarations in a fixed order."""
+    text = compiled(folder, stem, defines, width, "-O1", "-Xclang", "-disable-llvm-passes", "-S", "-emit-llvm")
+    folded = subprocess.run(FOLD, input=text, capture_output=True, text=True, check=True).stdout
+    lines = [line for line in folded.splitlines() if not line.startswith(("source_filename", "; ModuleID"))]
+    return sorted("\n".join(lines).split("\n\n"))
 
 
 def preprocessed(folder, stem, defines, width):
@@ -86,8 +91,12 @@ def without_blocks(text, macro):
 
 
 def copied(kernels, folder):
+    """A copy, in which the tests of features are always inlined."""
     shutil.copytree(kernels, folder)
     shutil.copytree(kernels.parent / "include", folder / "include")
+    tests = folder / "surface" / "features.h"
+    tests.write_text(tests.read_text().replace("static bool has_",
+                                               "__attribute__((always_inline)) static bool has_"))
     return folder
 
 

@@ -19,9 +19,11 @@ struct Stage {
     size_t most_hits;         // of all its rays
 };
 
-// The scene does not have the feature, nor do the programs; the programs do; the scene does.
+// The scene does not have the feature, nor do the programs; the programs do; the general program, which asks
+// the scene, finds that it does not; the scene does.
 constexpr const char* kLeftOut = "left_out";
 constexpr const char* kCompiledIn = "compiled_in";
+constexpr const char* kGeneral = "general";
 constexpr const char* kUsed = "used";
 
 struct State {
@@ -29,11 +31,12 @@ struct State {
     std::function<std::unique_ptr<Work>(const Stage&)> make;  // none: there is no such state
     std::string why_not;                                      // there is none
     bool is_counted = false;                                  // rsh_count_statistics is on
+    bool is_general = false;  // by a context with RSH_NO_VARIANTS
 };
 
 struct Feature {
     std::string name;
-    std::vector<State> states;  // all three, in that order
+    std::vector<State> states;  // in that order, the general one where there is one
     bool is_frame;              // else rays
 };
 

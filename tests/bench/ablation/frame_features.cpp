@@ -45,6 +45,17 @@ Feature feature(const char* name, const Change& base, const Change& compiled_in,
             true};
 }
 
+// One that programs are compiled with or without, so that a general program knows neither.
+Feature variant(const char* name, const Change& base, const Change& compiled_in,
+                const Change& used) {
+    Feature made = feature(name, base, compiled_in, used);
+    State general = made.states[0];
+    general.name = kGeneral;
+    general.is_general = true;
+    made.states.insert(made.states.begin() + 2, general);
+    return made;
+}
+
 void nothing(FrameSetup&) {}
 
 Change also(rsh_features features) {
@@ -75,7 +86,7 @@ Feature reflection() {
 }
 
 Feature refraction() {
-    return feature("refraction", add_mirror, also(RSH_FEATURE_REFRACTION), [](FrameSetup& s) {
+    return variant("refraction", add_mirror, also(RSH_FEATURE_REFRACTION), [](FrameSetup& s) {
         s.scene.materials[kGlass] = test::gallery().materials[kGlass];
     });
 }
@@ -87,7 +98,7 @@ Feature shadow() {
 }
 
 Feature texture() {
-    return feature("texture", nothing, add_images, [](FrameSetup& setup) {
+    return variant("texture", nothing, add_images, [](FrameSetup& setup) {
         add_images(setup);
         setup.scene.materials[kFloor].texture = test::gallery().materials[kFloor].texture;
     });
@@ -95,7 +106,7 @@ Feature texture() {
 
 // Normals of zero count as none.
 Feature smooth_normals() {
-    return feature(
+    return variant(
         "smooth_normals", nothing,
         [](FrameSetup& setup) { setup.scene.normals.resize(setup.scene.mesh.vertices.size()); },
         [](FrameSetup& setup) { setup.scene.normals = test::gallery().normals; });
@@ -103,7 +114,7 @@ Feature smooth_normals() {
 
 // An image of one white texel is the plain colour.
 Feature environment_image() {
-    return feature(
+    return variant(
         "environment_image", nothing,
         [](FrameSetup& setup) {
             const std::vector<float> white = {1, 1, 1, 1};

@@ -34,10 +34,16 @@ double cpu_ms() {
     return 1000.0 * double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-rsh::Context fresh_context(const Device& device, const std::string& kernels) {
+rsh_context_desc context_desc(const Device& device, bool is_general) {
     rsh_context_desc desc = rsh::make<rsh_context_desc>();
     desc.context = device.context()();
     desc.device = device.device()();
+    if (is_general) desc.max_variants = RSH_NO_VARIANTS;
+    return desc;
+}
+
+rsh::Context fresh_context(const Device& device, bool is_general, const std::string& kernels) {
+    rsh_context_desc desc = context_desc(device, is_general);
     desc.cache_dir = "";
     desc.kernel_dir = kernels.c_str();
     return rsh::Context(desc);
@@ -49,9 +55,9 @@ double cpu_ms_of_run(rsh_context context, Work& work) {
     return cpu_ms() - start;
 }
 
-Compiled compile(const Device& device, Work& work, bool finishes) {
+Compiled compile(const Device& device, Work& work, bool is_general, bool finishes) {
     const UnseenKernels kernels;
-    const rsh::Context context = fresh_context(device, kernels.folder());
+    const rsh::Context context = fresh_context(device, is_general, kernels.folder());
     rsh::check(rsh_count_statistics(context.get(), CL_TRUE), "rsh_count_statistics");
     Compiled taken;
     const double start = cpu_ms();
@@ -69,7 +75,10 @@ Compiled compile(const Device& device, Work& work, bool finishes) {
 class FeatureRun {
 public:
     FeatureRun(const Run& run, const Stage& stage, const Feature& feature)
-        : run_(run), feature_(feature), context_(stage.device.rsh()) {
+        : run_(run),
+          feature_(feature),
+          special_(stage.device.rsh()),
+          general_(context_desc(stage.device, true)) {
         for (const State& state : feature.states) {
             if (state.make)
                 entries_.push_back({state, state.make(stage)});
@@ -85,10 +94,14 @@ public:
 
 private:
     void run_once(Entry& entry) const;
+    rsh_context context_of(const Entry& entry) const {
+        return entry.state.is_general ? general_.get() : special_;
+    }
 
     const Run& run_;
     const Feature& feature_;
-    const rsh_context context_;
+    const rsh_context special_;
+    const rsh::Context general_;
     std::vector<Entry> entries_;
 };
 
@@ -96,8 +109,9 @@ private:
 void FeatureRun::check() {
     std::vector<uint8_t> absent;
     for (Entry& entry : entries_) {
-        entry.work->run(context_);
-        entry.metrics["is_right"] = entry.ok = entry.work->is_right(context_);
+        const rsh_context context = context_of(entry);
+        entry.work->run(context);
+        entry.metrics["is_right"] = entry.ok = entry.work->is_right(context);
         if (entry.state.name != std::string(kUsed)) {
             const std::vector<uint8_t> answer = entry.work->answer();
             if (absent.empty()) absent = answer;
@@ -105,15 +119,16 @@ void FeatureRun::check() {
             entry.ok &= answer == absent;
         }
         entry.metrics["bytes"] = entry.work->bytes();
-        entry.metrics["launches"] = counted(context_, *entry.work).launches;
+        entry.metrics["launches"] = counted(context, *entry.work).launches;
     }
 }
 
 void FeatureRun::compile(CompiledBy& known, bool finishes) {
     for (Entry& entry : entries_) {
-        const std::string programs = entry.work->programs();
+        const bool is_general = entry.state.is_general;
+        const std::string programs = entry.work->programs() + (is_general ? " general" : "");
         if (known.count(programs) == 0)
-            known[programs] = ablation::compile(run_.device, *entry.work, finishes);
+            known[programs] = ablation::compile(run_.device, *entry.work, is_general, finishes);
         const Compiled& taken = known[programs];
         entry.metrics["compile_ms"] = taken.compile_ms;
         if (finishes) entry.metrics["finish_ms"] = taken.finish_ms;
@@ -124,9 +139,9 @@ void FeatureRun::compile(CompiledBy& known, bool finishes) {
 void FeatureRun::run_once(Entry& entry) const {
     entry.ms.push_back(milliseconds([&] {
         if (entry.state.is_counted)
-            counted(context_, *entry.work);
+            counted(context_of(entry), *entry.work);
         else
-            entry.work->run(context_);
+            entry.work->run(context_of(entry));
     }));
 }
 

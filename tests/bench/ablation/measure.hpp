@@ -23,7 +23,7 @@ struct Compiled {
         0;  // of the first run after that less a second one: of what drivers put off
     size_t programs = 0;
 };
-using CompiledBy = std::map<std::string, Compiled>;  // by Work::programs()
+using CompiledBy = std::map<std::string, Compiled>;  // by Work::programs(), and whether general
 
 std::string case_name(const Feature& feature, const State& state);
 

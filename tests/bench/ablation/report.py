@@ -14,7 +14,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import page_section
 
-STATES = ("left_out", "compiled_in", "used")
+STATES = ("left_out", "compiled_in", "general", "used")
 # A program of its own that saves less than both is not worth it.
 LEAST_TIME, LEAST_COMPILATION = 0.01, 0.05
 
@@ -77,7 +77,7 @@ def verdicts(features):
 
 def table(document):
     features = by_feature(document)
-    lines = ["| | left out | compiled in | used |", "|---|---|---|---|"]
+    lines = ["| | left out | compiled in | general | used |", "|---|---|---|---|---|"]
     lines += [row(name, states) for name, states in features.items()]
     rounds = document["cases"][0]["metrics"]["rounds"]
     about = [f"- ms, median of {rounds} rounds in turn (in parentheses over the first column that there is, "

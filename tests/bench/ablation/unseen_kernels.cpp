@@ -22,6 +22,11 @@ std::string declaration(std::string file) {
     return fmt::format("typedef int unseen_{}_{};\n", file, now);
 }
 
+// The interface's types lie beside the folder of kernels.
+std::string place_of(const std::string& file) {
+    return (file.rfind("rsh/", 0) == 0 ? "include/" : "kernels/") + file;
+}
+
 }  // namespace
 
 UnseenKernels::UnseenKernels() {
@@ -30,7 +35,7 @@ UnseenKernels::UnseenKernels() {
     folder_ = made;
     for (size_t i = 0; i < rsh::kEmbeddedFileCount; ++i) {
         const rsh::EmbeddedFile& file = rsh::kEmbeddedFiles[i];
-        const std::filesystem::path path = folder_ / file.name;
+        const std::filesystem::path path = folder_ / place_of(file.name);
         std::filesystem::create_directories(path.parent_path());
         std::ofstream out(path, std::ios::binary);
         if (path.extension() == ".cl") out << declaration(file.name);

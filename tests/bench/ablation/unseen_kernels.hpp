@@ -14,7 +14,7 @@ public:
     UnseenKernels(const UnseenKernels&) = delete;
     UnseenKernels& operator=(const UnseenKernels&) = delete;
 
-    std::string folder() const { return folder_.string(); }
+    std::string folder() const { return (folder_ / "kernels").string(); }
 
 private:
     std::filesystem::path folder_;
