@@ -1,6 +1,6 @@
 #include "device/programs/programs.hpp"
 
-#include <time.h>
+#include <ctime>
 
 #include <algorithm>
 #include <new>

@@ -1,11 +1,11 @@
 #include "ablation/unseen_kernels.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 
