@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cstring>
 
+#include "support/placed_scene.hpp"
+
 namespace bench::ablation {
 namespace {
 
 // Of a picture, in its middle: what brute force renders again.
 constexpr cl_uint kSampleWidth = 32, kSampleHeight = 24;
-
-rsh_float4 rgb(test::Float3 c) {
-    return {{c.x, c.y, c.z, 0}};
-}
 
 }  // namespace
 
@@ -41,34 +39,10 @@ FrameWork::FrameWork(const Device& device, const FrameSetup& setup, cl_uint widt
 }
 
 void FrameWork::place(const test::Scene& scene, rsh_features also) {
-    vertices_ = upload(scene.mesh.vertices);
-    indices_ = upload(scene.mesh.indices);
-    normals_ = upload(scene.normals);
-    texcoords_ = upload(scene.texcoords);
-    material_ids_ = upload(scene.material_ids);
-    materials_ = upload(scene.materials);
-    lights_ = upload(scene.lights);
-    textures_ = upload(scene.textures);
-    texels_ = upload(scene.texels);
-    scene_.struct_size = sizeof scene_;
-    scene_.geometry.vertices = vertices_();
-    scene_.geometry.vertex_count = cl_uint(scene.mesh.vertices.size());
-    scene_.geometry.indices = indices_();
-    scene_.geometry.triangle_count = scene.mesh.triangle_count();
-    scene_.normals = normals_();
-    scene_.texcoords = texcoords_();
-    scene_.material_ids = material_ids_();
-    scene_.materials = materials_();
-    scene_.material_count = cl_uint(scene.materials.size());
-    scene_.lights = lights_();
-    scene_.light_count = cl_uint(scene.lights.size());
-    scene_.textures = textures_();
-    scene_.texture_count = cl_uint(scene.textures.size());
-    scene_.texels = texels_();
-    scene_.ambient = rgb(scene.ambient);
-    scene_.environment = rgb(scene.environment);
-    scene_.environment_texture = scene.environment_texture;
-    scene_.cut = scene.cut;
+    scene_ = test::placed(scene, [this](const auto& items) {
+        buffers_.push_back(upload(items));
+        return buffers_.back()();
+    });
     rsh::check(rsh_find_features(&scene_, scene.materials.data(), scene.lights.data()),
                "rsh_find_features");
     scene_.features |= also;

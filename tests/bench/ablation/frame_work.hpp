@@ -28,8 +28,8 @@ public:
 private:
     void place(const test::Scene& scene, rsh_features also);
 
-    cl::Buffer vertices_, indices_, normals_, texcoords_, material_ids_, materials_, lights_,
-        textures_, texels_, colour_, scratch_, audit_;
+    std::vector<cl::Buffer> buffers_;  // of the scene
+    cl::Buffer colour_, scratch_, audit_;
     rsh_scene scene_{};
     rsh_frame_desc desc_{};
 };

@@ -1,14 +1,11 @@
 #include "accuracy/scene_on_device.hpp"
 
+#include "support/placed_scene.hpp"
 #include "timing.hpp"
 #include "upload.hpp"
 
 namespace bench::accuracy {
 namespace {
-
-rsh_float4 rgb(test::Float3 c) {
-    return {{c.x, c.y, c.z, 0}};
-}
 
 template <class T>
 std::vector<T> read(const Device& device, const cl::Buffer& buffer, size_t count) {
@@ -30,35 +27,10 @@ cl::Buffer scratch_of(const Device& device, Query query, const Desc& desc) {
 SceneOnDevice::SceneOnDevice(const Device& device, const Staged& staged)
     : device_(device), camera_(staged.camera) {
     const test::Scene& scene = staged.scene;
-    vertices_ = upload(device, scene.mesh.vertices);
-    indices_ = upload(device, scene.mesh.indices);
-    normals_ = upload(device, scene.normals);
-    texcoords_ = upload(device, scene.texcoords);
-    material_ids_ = upload(device, scene.material_ids);
-    materials_ = upload(device, scene.materials);
-    lights_ = upload(device, scene.lights);
-    textures_ = upload(device, scene.textures);
-    texels_ = upload(device, scene.texels);
-
-    scene_.struct_size = sizeof scene_;
-    scene_.geometry.vertices = vertices_();
-    scene_.geometry.vertex_count = cl_uint(scene.mesh.vertices.size());
-    scene_.geometry.indices = indices_();
-    scene_.geometry.triangle_count = scene.mesh.triangle_count();
-    scene_.normals = normals_();
-    scene_.texcoords = texcoords_();
-    scene_.material_ids = material_ids_();
-    scene_.materials = materials_();
-    scene_.material_count = cl_uint(scene.materials.size());
-    scene_.lights = lights_();
-    scene_.light_count = cl_uint(scene.lights.size());
-    scene_.textures = textures_();
-    scene_.texture_count = cl_uint(scene.textures.size());
-    scene_.texels = texels_();
-    scene_.ambient = rgb(scene.ambient);
-    scene_.environment = rgb(scene.environment);
-    scene_.environment_texture = scene.environment_texture;
-    scene_.cut = scene.cut;
+    scene_ = test::placed(scene, [this](const auto& items) {
+        buffers_.push_back(upload(device_, items));
+        return buffers_.back()();
+    });
     rsh::check(rsh_find_features(&scene_, scene.materials.data(), scene.lights.data()),
                "rsh_find_features");
 }

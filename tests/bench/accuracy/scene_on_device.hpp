@@ -25,8 +25,7 @@ public:
 private:
     const Device& device_;
     rsh_camera camera_;
-    cl::Buffer vertices_, indices_, normals_, texcoords_, material_ids_, materials_, lights_,
-        textures_, texels_;
+    std::vector<cl::Buffer> buffers_;  // of the scene
     rsh_scene scene_{};
 };
 
