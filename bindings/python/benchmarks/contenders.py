@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 import rsh
 from rsh._default import default
 from rsh._hits import HIT
-from rsh._rays import as_traced
 
 Answer = tuple[NDArray[np.float32], NDArray[np.uint32]]
 
@@ -54,9 +53,15 @@ class Rebuilt:
         context, queue = self._context, self._queue
         self._scene["geometry"].vertices = cla.to_device(queue, vertices)
         rsh.bound(context, queue, **self._scene, bounds=self._bounds)
-        told = as_traced(cla.to_device(queue, self._rays))
+        floats, shape = cla.to_device(queue, self._rays), self._rays.shape[:-1]
+        rays = {
+            "origins": rsh.structs.RayFloats(buffer=floats, offset=0, stride=24),
+            "directions": rsh.structs.RayFloats(buffer=floats, offset=12, stride=24),
+            "width": shape[-1],
+            "height": shape[0] if len(shape) > 1 else 0,
+        }
         scene = {"geometry": self._scene["geometry"], "bounds": self._bounds, "engine": rsh.ENGINE_TILES}
-        rsh.trace(context, queue, **scene, **told, hits=self._hits)
+        rsh.trace(context, queue, **scene, **rays, hits=self._hits)
         hits = self._hits.get(queue)
         return hits["t"].ravel(), hits["primitive"].ravel()
 
