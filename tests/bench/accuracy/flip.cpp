@@ -73,9 +73,14 @@ Double3 to_hunt_lab(const Double3& linear) {
     return {lightness, weaker * 500 * (f.x - f.y), weaker * 200 * (f.y - f.z)};
 }
 
+// Not std::hypot, whose symbol in Debian 12's C library older ones lack.
+double length(double x, double y) {
+    return std::sqrt(x * x + y * y);
+}
+
 // The distance for large differences (Abasi, Tehran and Fairchild 2020).
 double hyab(const Double3& a, const Double3& b) {
-    return std::fabs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+    return std::fabs(a.x - b.x) + length(a.y - b.y, a.z - b.z);
 }
 
 // A weight per component for each pixel of a square around the centre.
@@ -180,7 +185,7 @@ std::vector<Double3> features(const Image& opponent, double pixels_per_degree) {
     std::vector<Double3> made;
     for (size_t i = 0; i < light.pixels.size(); ++i) {
         const Double3 &a = along.pixels[i], &b = across.pixels[i];
-        made.push_back({std::hypot(a.x, b.x), std::hypot(a.y, b.y), 0});
+        made.push_back({length(a.x, b.x), length(a.y, b.y), 0});
     }
     return made;
 }
