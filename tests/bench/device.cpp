@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "commit.hpp"
+#include "host.hpp"
 
 namespace bench {
 
@@ -50,7 +51,9 @@ nlohmann::json Device::description() const {
             {"compute_units", device_.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()},
             {"memory_bytes", memory().device_bytes},
             {"largest_allocation_bytes", memory().largest_bytes},
-            {"host_threads", std::thread::hardware_concurrency()}};
+            {"native_vector_width", device_.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()},
+            {"host_threads", std::thread::hardware_concurrency()},
+            {"host_instruction_set", host_instruction_set()}};
 }
 
 MemoryLimits Device::memory() const {

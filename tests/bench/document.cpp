@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 Document::Document(nlohmann::json head, std::string path)
     : document_(std::move(head)), path_(std::move(path)) {
     if (!path_.empty()) render::require_place(path_);
+    document_["format_version"] = kFormatVersion;
     document_["cases"] = nlohmann::json::array();
     document_["left_out"] = nlohmann::json::array();
     write();

@@ -6,10 +6,14 @@
 
 namespace bench {
 
+// Raised when a name, a parameter or a metric comes to mean something else than before, so that
+// files of both versions must not be compared. Files without this member mean what version 1 means.
+constexpr int kFormatVersion = 1;
+
 class Document final : public Results {
 public:
-    // `head`: what stands beside the cases. An empty path: nothing is written. Throws
-    // std::runtime_error when the path cannot be written to.
+    // `head`: what stands beside the cases and the version of the format. An empty path: nothing is
+    // written. Throws std::runtime_error when the path cannot be written to.
     Document(nlohmann::json head, std::string path);
 
     void add(const Case& c) override;

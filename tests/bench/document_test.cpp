@@ -27,6 +27,7 @@ TEST_F(DocumentFile, HasEachCaseAsSoonAsItIsThere) {
     document.add({"b", {}, {}, false});
     EXPECT_EQ(read()["cases"][1]["ok"], false);
     EXPECT_EQ(read()["suite"], "frame");
+    EXPECT_EQ(read()["format_version"], 1);
     EXPECT_EQ(document.wrong_count(), 1u);
     EXPECT_EQ(document.cases().size(), 2u);
 }

@@ -19,6 +19,8 @@ std::string memory_of(const json& device) {
 std::string device_text(const json& device) {
     return wrapped(fmt::format("device: {}, {} compute units, {}", text_of(device, "name"),
                                cell(device, "compute_units"), memory_of(device))) +
+           wrapped(fmt::format("host: {}, {} threads", text_of(device, "host_instruction_set"),
+                               cell(device, "host_threads"))) +
            wrapped(fmt::format("driver: {}, {}; platform: {}, {}", text_of(device, "driver"),
                                text_of(device, "version"), text_of(device, "platform"),
                                text_of(device, "platform_version")));

@@ -33,7 +33,7 @@ private:
 
 const std::string kHead =
     R"("device": {"name": "Chip", "driver": "9.1", "platform": "Loom", "compute_units": 7,
-                  "memory_bytes": 2147483648},
+                  "memory_bytes": 2147483648, "host_threads": 8, "host_instruction_set": "avx2"},
        "rsh": {"version": "0.1.0", "commit": "abc"}, )";
 
 std::string reduce_case(const std::string& strategy, const std::string& metrics,
@@ -91,6 +91,7 @@ TEST_F(Table, ShowsTheDeviceOnceWhereAllFilesTellTheSame) {
     const Report report = make_report({file("a.json", text), file("b.json", text)});
     EXPECT_EQ(words_of(report.text, "device: Chip,"),
               (Words{"7", "compute", "units,", "2.0", "GiB"}));
+    EXPECT_EQ(words_of(report.text, "host:"), (Words{"avx2,", "8", "threads"}));
     EXPECT_EQ(report.text.find("device:"), report.text.rfind("device:"));
     EXPECT_NE(report.text.find("rsh 0.1.0, commit abc\n"), std::string::npos);
 }

@@ -1,5 +1,5 @@
-// cub_json.cuh - results as rsh-bench reduce writes them, so that rsh-bench table puts both into one
-// row.
+// cub_json.cuh - results as rsh-bench reduce writes them (document.hpp has the format's version), so that
+// rsh-bench table puts both into one row.
 #pragma once
 
 #include <cstdio>
@@ -76,9 +76,9 @@ inline void write(const std::string& path, const std::vector<std::string>& cases
     if (path.empty()) return;
     const std::string beside = path + ".part";
     std::FILE* file = std::fopen(beside.c_str(), "w");
-    const std::string text = "{\"suite\": \"reduce\",\n\"device\": " + device_json() +
-                             ",\n\"left_out\": " + joined(left_out) +
-                             ",\n\"cases\": " + joined(cases) + "}\n";
+    const std::string text =
+        "{\"suite\": \"reduce\",\n\"format_version\": 1,\n\"device\": " + device_json() +
+        ",\n\"left_out\": " + joined(left_out) + ",\n\"cases\": " + joined(cases) + "}\n";
     const bool is_written =
         file && std::fwrite(text.data(), 1, text.size(), file) == text.size();
     if (!file || std::fclose(file) != 0 || !is_written ||
