@@ -1,38 +1,16 @@
-#!/usr/bin/env python3
-"""report.py FILE [--readme PAGE] [--check PAGE] - from the JSON of rsh-bench ablation makes
-
-  --readme  the table between the two lines "<!-- ablation: ... -->" of a page, in place
-  --check   whether that page has the table that --readme would write; ends with 1 if not
-
-Without any of these the table is printed. Measures nothing.
-"""
-import argparse
-import json
-import pathlib
-import sys
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import page_section
+"""Tables of rsh-bench ablation: what each feature costs, and what the dearest ones do."""
+from reporting.results import measured_on, wrapped
 
 STATES = ("left_out", "compiled_in", "general", "used")
 # A program of its own that saves less than both is not worth it.
 LEAST_TIME, LEAST_COMPILATION = 0.01, 0.05
+DEAREST = 5  # features of the short table
 
 
-def load(path):
-    document = json.loads(path.read_text())
-    if document["suite"] != "ablation":
-        raise SystemExit(f"{path}: suite is {document['suite']}, must be ablation")
-    for case in document["cases"]:
-        if not case["ok"]:
-            raise SystemExit(f"{path}: {case['name']} is wrong")
-    return document
-
-
-def by_feature(document):
+def by_feature(results):
     """Of each feature, the metrics of its states."""
     found = {}
-    for case in document["cases"]:
+    for case in results.cases:
         params = case["params"]
         found.setdefault(params["feature"], {})[params["state"]] = case["metrics"]
     return found
@@ -75,31 +53,32 @@ def verdicts(features):
             f"{', '.join(poor) if poor else 'none'}."]
 
 
-def table(document):
-    features = by_feature(document)
+def table(results):
+    features = by_feature(results)
     lines = ["| | left out | compiled in | general | used |", "|---|---|---|---|---|"]
     lines += [row(name, states) for name, states in features.items()]
-    rounds = document["cases"][0]["metrics"]["rounds"]
-    about = [f"- ms, median of {rounds} rounds in turn (in parentheses over the first column that there is, "
-             "round by round) · MiB of all buffers · launches · seconds of processor time to compile.",
-             *verdicts(features), page_section.measured_on(document)]
-    return "\n".join([*lines, "", page_section.wrapped(about)])
+    rounds = results.cases[0]["metrics"]["rounds"]
+    about = [f"- ms, median of {rounds} rounds in turn (in parentheses over the first column that there "
+             "is, round by round) · MiB of all buffers · launches · seconds of processor time to compile.",
+             *verdicts(features), measured_on(results)]
+    return "\n".join([*lines, "", wrapped(about)])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("file", type=pathlib.Path)
-    parser.add_argument("--readme", type=pathlib.Path)
-    parser.add_argument("--check", type=pathlib.Path)
-    options = parser.parse_args()
-    text = table(load(options.file))
-    if options.readme:
-        options.readme.write_text(page_section.written(options.readme, "ablation", text))
-    if options.check:
-        page_section.check(options.check, "ablation", text, options.file)
-    if not (options.readme or options.check):
-        sys.stdout.write(text + "\n")
+def cost_row(feature, states):
+    out, used = states["left_out"], states["used"]
+    ratio = f"{states['compiled_in']['ratio']:.2f}" if "compiled_in" in states else "–"
+    return (f"| {feature.replace('_', ' ')} | {out['ms']:.2f} | {ratio} "
+            f"| {used['ratio']:.2f} | {out['bytes'] / 2**20:.1f} → {used['bytes'] / 2**20:.1f} "
+            f"| {out['launches']} → {used['launches']} "
+            f"| {compilation(out) / 1000:.1f} → {compilation(used) / 1000:.1f} |")
 
 
-if __name__ == "__main__":
-    main()
+def costs(results):
+    """Of the features that can be left out, those that take most time, the dearest first."""
+    features = {name: states for name, states in by_feature(results).items()
+                if {"left_out", "used"} <= states.keys()}
+    dearest = sorted(features, key=lambda name: features[name]["used"]["ratio"], reverse=True)[:DEAREST]
+    lines = ["| | left out, ms | compiled in | used | MiB | launches | s to compile |",
+             "|---|--:|--:|--:|--:|--:|--:|"]
+    lines += [cost_row(name, features[name]) for name in dearest]
+    return "\n".join([*lines, "", wrapped([measured_on(results)])])

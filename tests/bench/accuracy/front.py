@@ -1,22 +1,10 @@
 """The cases of rsh-bench accuracy, by scene and axis, and those that no other case beats: the front."""
-import json
-
 DEFAULT = "default"
 
 
-def load(path):
-    document = json.loads(path.read_text())
-    if document["suite"] != "accuracy":
-        raise SystemExit(f"{path}: suite is {document['suite']}, must be accuracy")
-    wrong = [case["name"] for case in document["cases"] if not case["ok"]]
-    if wrong:
-        raise SystemExit(f"{path}: {wrong[0]} is wrong, and {len(wrong) - 1} more")
-    return document
-
-
-def by_scene(document):
+def by_scene(cases):
     found = {}
-    for case in document["cases"]:
+    for case in cases:
         found.setdefault(case["params"]["scene"], []).append(case)
     return found
 

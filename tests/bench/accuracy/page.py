@@ -6,7 +6,8 @@ import json
 import struct
 import zlib
 
-import front
+from accuracy import front
+from reporting.results import commit_of, device_text
 
 AXES = {
     "bounces": "How many times a path may be mirrored or refracted. Longer paths end: they see what the "
@@ -134,14 +135,13 @@ def scene_data(scene, cases, pictures):
     return {"reference": data_uri(width, height, truth), "points": points}
 
 
-def make(document, svg, pictures):
-    scenes = front.by_scene(document)
-    axes = {case["params"]["axis"] for case in document["cases"]} - {front.DEFAULT}
+def make(results, svg, pictures):
+    scenes = front.by_scene(results.cases)
+    axes = {case["params"]["axis"] for case in results.cases} - {front.DEFAULT}
     texts = [f"<dt>{html.escape(name.replace('_', ' '))}</dt><dd>{html.escape(text)}</dd>"
              for name, text in AXES.items() if name in axes]
-    device = document["device"]
-    head = (f"rsh-bench accuracy: {device['name']}, {device['platform']} {device['driver']}; rsh "
-            f"{document['rsh']['version']} ({document['rsh']['commit']})")
+    document = results.documents[-1]
+    head = f"rsh-bench accuracy: {device_text(document)}; rsh commit {commit_of(document)}"
     data = {scene: scene_data(scene, cases, pictures) for scene, cases in scenes.items()}
     return (TEMPLATE.replace("@HEAD@", html.escape(head)).replace("@SVG@", svg)
             .replace("@AXES@", "\n".join(texts)).replace("@DATA@", json.dumps(data)))

@@ -1,37 +1,15 @@
-#!/usr/bin/env python3
-"""report.py FILE [--plot SVG] [--readme PAGE] [--check PAGE] - from the JSON of rsh-bench hits makes
-
-  --plot    wrong rays against milliseconds, a panel per group of scenes, a point per scene and
-            contender
-  --readme  the table between the two lines "<!-- hits: ... -->" of a page, in place
-  --check   whether that page has the table that --readme would write; ends with 1 if not
-
-Without any of these the table is printed. Measures nothing.
-"""
-import argparse
-import json
+"""Of rsh-bench hits: the table of wrong rays, and the plot of them against milliseconds, a panel per group
+of scenes, a point per scene and contender."""
 import math
-import pathlib
-import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import page_section
+from reporting import drawing
+from reporting.results import measured_on, wrapped
 
 WRONG = ("missed", "spurious", "wrong_triangle")
 BASE = "tiles/box"
 COLOURS = {"tiles/box": "tab:green", "paper/box": "tab:olive", "paper_faithful/cone": "tab:cyan",
            "brute_force": "tab:gray", "embree/default": "tab:red", "embree/robust": "tab:purple"}
 NOT_IN_THE_TABLE = {"brute_force"}
-
-
-def load(path):
-    document = json.loads(path.read_text())
-    if document["suite"] != "hits":
-        raise SystemExit(f"{path}: suite is {document['suite']}, must be hits")
-    wrong = [case["name"] for case in document["cases"] if not case["ok"]]
-    if wrong:
-        raise SystemExit(f"{path}: {wrong[0]} is wrong, and {len(wrong) - 1} more")
-    return document
 
 
 def grouped(cases, key):
@@ -77,8 +55,8 @@ def cell(cases, base):
     return short(per_million(cases)) + (f" ({short(time)})" if time else "")
 
 
-def table(document):
-    cases = document["cases"]
+def table(results):
+    cases = results.cases
     contenders = in_order(cases)
     names = [name.replace("/", " ") for name in contenders]
     lines = [f"| scenes | rays judged | {' | '.join(names)} |", "|---" * (len(names) + 2) + "|"]
@@ -89,21 +67,21 @@ def table(document):
         scenes = len(grouped(found, "scene"))
         cells = [cell(by.get(name, []), base) for name in contenders]
         lines.append(f"| {group} ({scenes}) | {judged:.2f} M | {' | '.join(cells)} |")
-    return "\n".join(lines + ["", about(document)])
+    return "\n".join(lines + ["", about(results)])
 
 
-def about(document):
+def about(results):
     """What the figures were measured on, and what is no column of the table."""
-    by = grouped(document["cases"], "contender")
+    by = grouped(results.cases, "contender")
 
     def counts(key):
         return ", ".join(f"{total(by[name], [key])} with {name.replace('/', ' ')}"
-                         for name in in_order(document["cases"]))
+                         for name in in_order(results.cases))
 
     lines = [f"- Rays that left a closed scene: {counts('leaks')}.",
              f"- Right triangles with a `t`, `u` or `v` beyond the bound: {counts('inexact')}.",
-             page_section.measured_on(document)]
-    return page_section.wrapped(lines)
+             measured_on(results)]
+    return wrapped(lines)
 
 
 def height(case, place):
@@ -129,15 +107,10 @@ def fill_panel(panel, cases):
     panel.grid(alpha=0.3)
 
 
-def plot(document, path):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    matplotlib.rcParams.update({"svg.hashsalt": "rsh", "svg.fonttype": "none"})  # the same bytes again
-
-    groups = grouped(document["cases"], "group")
+def plot(results):
+    groups = grouped(results.cases, "group")
     columns = -(-(len(groups) + 1) // 2)  # one panel for the legend
-    figure, axes = plt.subplots(2, columns, figsize=(12, 5.6), sharex=True, sharey=True)
+    figure, axes = drawing.pyplot().subplots(2, columns, figsize=(12, 5.6), sharex=True, sharey=True)
     for panel, (group, cases) in zip(axes.flat, groups.items()):
         panel.set_title(group)
         fill_panel(panel, cases)
@@ -153,27 +126,4 @@ def plot(document, path):
     names = [name.replace("/", " ") for name in COLOURS if name.replace("/", " ") in entries]
     axes.flat[-1].legend([entries[name] for name in names], names, loc="center", frameon=False)
     figure.tight_layout()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Date": None})
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("file", type=pathlib.Path)
-    for option in ("--plot", "--readme", "--check"):
-        parser.add_argument(option, type=pathlib.Path)
-    options = parser.parse_args()
-    document = load(options.file)
-    text = table(document)
-    if options.plot:
-        plot(document, options.plot)
-    if options.readme:
-        options.readme.write_text(page_section.written(options.readme, "hits", text))
-    if options.check:
-        page_section.check(options.check, "hits", text, options.file)
-    if not (options.plot or options.readme or options.check):
-        sys.stdout.write(text + "\n")
-
-
-if __name__ == "__main__":
-    main()
+    return figure
