@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""report.py [FILE...] [--check [PAGE...] | --write [PAGE...] | --out DIR]
+"""report.py [FILE...] [--check [PAGE...] | --write [PAGE...] | --out DIR | --compare OLD NEW]
 
 What is made of the JSON of rsh-bench, of any suites. Measures nothing.
 
@@ -12,14 +12,20 @@ What is made of the JSON of rsh-bench, of any suites. Measures nothing.
   --write [PAGE...]  makes them so. A plot is drawn where it is missing or of other results
   --out DIR          tables, plots and a page per suite; with --pictures DIR, what rsh-bench accuracy
                      --pictures wrote there, its page shows these pictures
+  --compare OLD NEW  how much worse each case is than before, by name and parameters; ends with 1 where a
+                     metric is worse by more than --threshold, an answer is wrong that was not, or more are.
+                     Where a metric has quartiles, a change counts only if those of OLD and NEW do not
+                     overlap; one without counts by the threshold alone. Cases that are in one file only
+                     are named. Other devices, suites, versions of the format, or a --quick run beside a
+                     full one, are an error. Peers, as Embree, are left out
 """
 import argparse
 import os
 import pathlib
 import sys
 
-from reporting import output, pages
-from reporting.results import by_suite
+from reporting import compare, output, pages
+from reporting.results import by_suite, joined, read
 from reporting.suites import SUITES
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -66,6 +72,21 @@ def print_tables(results):
         print(f"{SUITES[found.suite].table(found)}\n")
 
 
+def compare_files(options):
+    old, new = (joined([(path, read(path))]) for path in options.compare)
+    text, is_good = compare.run(old, new, options.threshold, options.any_device)
+    print(text)
+    return 0 if is_good else 1
+
+
+def percent(text):
+    """"5%", "5 %" and "5" are 0.05."""
+    value = float(text.rstrip("% ")) / 100
+    if not value >= 0:
+        raise ValueError(text)
+    return value
+
+
 def parse(arguments):
     usage, *rest = __doc__.splitlines()
     parser = argparse.ArgumentParser(usage=usage, description="\n".join(rest).strip(), add_help=False,
@@ -75,9 +96,14 @@ def parse(arguments):
     ways.add_argument("--check", nargs="*", type=pathlib.Path, help=argparse.SUPPRESS)
     ways.add_argument("--write", nargs="*", type=pathlib.Path, help=argparse.SUPPRESS)
     ways.add_argument("--out", type=pathlib.Path, help=argparse.SUPPRESS)
+    ways.add_argument("--compare", nargs=2, type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--pictures", type=pathlib.Path, metavar="DIR", help="of --out")
+    parser.add_argument("--threshold", type=percent, default=0.05, metavar="PERCENT", help="of --compare; 5%%")
+    parser.add_argument("--any-device", action="store_true", help="of --compare: whatever the devices are")
     parser.add_argument("-h", "--help", action="help", help="this text")
     options = parser.parse_args(arguments)
+    if options.compare and options.files:
+        parser.error("--compare takes its two files, and no others")
     if options.pictures and not options.out:
         parser.error("--pictures needs --out, the folder of the page that shows them")
     return options
@@ -85,6 +111,8 @@ def parse(arguments):
 
 def main(arguments):
     options = parse(arguments)
+    if options.compare:
+        return compare_files(options)
     given = known(by_suite(options.files))
     if options.check is not None:
         return check(options.check or all_pages(), with_stored(given), options.files)

@@ -2,6 +2,7 @@
 """report_test.py - whether report.py makes tables of every suite, and finds each fault of pages and results.
 Needs no device and draws nothing."""
 import contextlib
+import copy
 import io
 import json
 import pathlib
@@ -215,6 +216,122 @@ class Pages(InFolder):
             budgets.filled(results, row + "\n| `b` | what | u | x | x | x | x | |")
         with self.assertRaisesRegex(SystemExit, "has cases for a, which the table has no row for"):
             budgets.filled(results, "| bound |")
+
+
+class Comparisons(InFolder):
+    """Of the stored results of hits with a changed copy."""
+
+    def setUp(self):
+        super().setUp()
+        self.old = STORED["hits"]
+        self.document = json.loads(self.old.read_text())
+        self.case = next(c for c in self.document["cases"] if c["params"]["contender"] == "tiles/box")
+
+    def compare(self, *options):
+        return run("--compare", self.old, self.store("new.json", self.document), *options)
+
+    def slow_down(self, factor):
+        for metric in ("ms_total", "ms_low", "ms_high"):
+            self.case["metrics"][metric] *= factor
+
+    def assert_fails(self, words, *options):
+        status, text = self.compare(*options)
+        self.assertEqual(status, 1, text)
+        self.assertIn(words, text)
+
+    def assert_passes(self, words, *options):
+        status, text = self.compare(*options)
+        self.assertEqual(status, 0, text)
+        self.assertIn(words, text)
+
+    def test_every_stored_file_is_as_good_as_itself(self):
+        for path in STORED.values():
+            text = self.passes("--compare", path, path)
+            self.assertIn("0 worse by more than 5 %, 0 new faults", text)
+            self.assertIn(" +0.0% of ", text)
+            self.assertNotIn("only in", text)
+
+    def test_a_slower_case_fails(self):
+        self.slow_down(1.1)
+        self.assert_fails(f"{self.case['name']}  BEYOND THE THRESHOLD")
+        self.assert_fails("1 worse by more than 9.9 %", "--threshold", "9.9%")
+        self.assert_passes("0 worse by more than 11 %", "--threshold", "11")
+
+    def test_the_worst_stands_first_and_the_median_below(self):
+        self.slow_down(1.1)
+        _, text = self.compare()
+        self.assertRegex(text.split("\n")[2], r"^ +\+10\.0%  ms_total .*" + self.case["name"])
+        self.assertRegex(text, r"\nmedian: ms_total \+0\.0% of \d+\n")
+
+    def test_a_quicker_case_passes(self):
+        self.slow_down(0.5)
+        self.assert_passes("-50.0%  ms_total")
+
+    def test_a_change_within_the_quartiles_is_noise(self):
+        self.slow_down(1.1)
+        self.case["metrics"]["ms_low"] /= 1.2
+        self.assert_passes("quartiles overlap")
+
+    def test_where_more_is_better_less_is_worse(self):
+        self.case["metrics"]["ratio_embree_default"] /= 1.1
+        self.case["metrics"]["ms_low"] *= 1.5  # no noise
+        self.assert_fails("+10.0%  ratio_embree_default")
+
+    def test_a_slower_peer_is_nobodys_fault(self):
+        self.case = next(c for c in self.document["cases"] if c["params"]["peer"])
+        self.slow_down(2)
+        self.case["metrics"]["missed"] += 5
+        self.assert_passes("0 new faults")
+
+    def test_one_more_wrong_hit_fails(self):
+        self.case["metrics"]["spurious"] += 1
+        self.assert_fails(f"WRONG: {self.case['name']}: spurious is 1, was 0", "--threshold", "1000%")
+
+    def test_a_case_that_is_wrong_fails(self):
+        self.case.update(ok=False, metrics={"error": "out of memory"})
+        self.assert_fails(f"WRONG: {self.case['name']}: is wrong: out of memory")
+
+    def test_a_new_case_that_is_wrong_fails(self):
+        self.document["cases"].append(case("hits/new", {"contender": "tiles/box"}, {"missed": 2}, ok=False))
+        self.assert_fails("WRONG: hits/new: missed is 2, was not measured")
+
+    def test_cases_in_one_file_are_named(self):
+        self.document["cases"].remove(self.case)
+        self.document["cases"].append(case("hits/new", {}, {"missed": 0}))
+        self.assert_passes(f"only in {self.old}: {self.case['name']}\n")
+        self.assert_passes(f"only in {self.folder / 'new.json'}: hits/new\n")
+
+    def test_a_case_with_other_parameters_is_another(self):
+        self.case["params"]["triangles"] += 1
+        self.assert_passes(f"only in {self.old}: {self.case['name']}\n")
+
+    def test_files_without_a_common_case_are_refused(self):
+        self.document["cases"] = []
+        self.assert_fails("have no case in common")
+
+    def test_another_device_is_refused(self):
+        self.document["device"]["driver"] = "4.0"
+        self.assert_fails("devices differ: driver is 3.1+debian and 4.0")
+        self.assert_passes("0 worse", "--any-device")
+
+    def test_what_cannot_be_compared_is_refused(self):
+        original = copy.deepcopy(self.document)
+        for field, value, words in (("format_version", 2, "format_version differs: is 1 and 2"),
+                                    ("quick", True, "quick differs: is False and True"),
+                                    ("suite", "frame", "suites differ: hits and frame")):
+            self.document = {**original, field: value}
+            self.assert_fails(words)
+
+    def test_a_file_that_tells_more_of_the_device_is_not_refused(self):
+        self.document["device"]["host_instruction_set"] = "avx512f"
+        self.document["format_version"] = 1
+        self.assert_passes("0 worse")
+
+    def test_infinite_errors_are_null(self):
+        mirrors = json.loads(STORED["mirrors"].read_text())
+        one = next(c for c in mirrors["cases"] if c["metrics"].get("position_error_median"))
+        one["metrics"]["position_error_median"] = None
+        self.fails("+inf%  position_error_median", "--compare", STORED["mirrors"], self.store("m.json", mirrors))
 
 
 if __name__ == "__main__":
