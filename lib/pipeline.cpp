@@ -11,12 +11,14 @@
 #include <limits>
 #include <vector>
 
+#include "approximate/approximate.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "device/cl/wrong_buffers.hpp"
 #include "device/error.hpp"
 #include "frame/memory.hpp"
 #include "rays/node_shape.hpp"
+#include "reduce/strategy.hpp"
 #include "shade/clear_colour.hpp"
 #include "shade/cut.hpp"
 #include "shade/shade.hpp"
@@ -34,7 +36,7 @@ public:
 
     void render() {
         // For the counts, which are behind them; one that fails would hold them up for ever.
-        if (memory_.has_bounces()) recorder_.wait_for_callers();
+        if (memory_.reads_counts()) recorder_.wait_for_callers();
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
         if (memory_.traces_rays()) bound(recorder_, memory_.bound());
@@ -43,12 +45,36 @@ public:
 
 private:
     void render_strip() {
-        const Wave screen = memory_.screen();
         rasterize(recorder_, memory_.rasterize());
-        audit_hits(memory_.audit(screen));
-        begin_image();
-        shade_wave(screen);
-        if (memory_.has_bounces()) spawn_waves(screen, whole_wave(screen.width, screen.height));
+        audit_hits(memory_.audit_screen());
+        if (memory_.is_approximate())
+            approximate();
+        else
+            render_pixels(memory_.screen());
+    }
+
+    // The pixels of a grid, then those between them, from grid to finer grid.
+    void approximate() {
+        render_some(memory_.grid_pixels(), memory_.grid());
+        for (cl_uint step = RSH_WIDEST_STEP; step > 1; step /= 2) {
+            blend_pixels(recorder_, memory_.blend(step));
+            reduce(recorder_, memory_.pack_listed(step));
+            const cl_uint count = recorder_.read_now(memory_.rest_count(), 1).front();
+            if (count) render_some(memory_.rest_pixels(count), memory_.rest(count));
+        }
+    }
+
+    void render_some(const PixelPass& pixels, const Wave& wave) {
+        take_pixels(recorder_, pixels);
+        render_pixels(wave);
+        put_pixels(recorder_, pixels);
+    }
+
+    // What the camera's rays see in the end, all of a strip's or some.
+    void render_pixels(const Wave& wave) {
+        begin_image(wave);
+        shade_wave(wave);
+        if (memory_.has_bounces()) spawn_waves(wave, whole_wave(wave.width, wave.height));
     }
 
     // All waves that come of a part of a wave, then their colours, back to that part. If one does not
@@ -58,7 +84,7 @@ private:
             const WavePass pass = pass_of(bounce, from, part);
             count_branches(recorder_, pass);
             spawn_branches(recorder_, pass);
-            trace_wave(memory_.packed(bounce + 1));
+            trace_wave(packed(from, part, bounce + 1));
         }
         const std::vector<cl_uint> spawned = read_counts();
         cl_uint last = from.bounce;
@@ -67,7 +93,7 @@ private:
             if (last == from.bounce)
                 spawn_halves(from, part);
             else
-                spawn_halves(memory_.packed(last), whole_wave(spawned[last - 1], 1));
+                spawn_halves(packed(from, part, last), whole_wave(spawned[last - 1], 1));
         }
         while (last-- > from.bounce)
             gather_branches(recorder_, pass_of(last, from, part), memory_.colour(last + 1),
@@ -83,8 +109,15 @@ private:
     // From that bounce to the next one, of the waves that come of a part of `from`.
     WavePass pass_of(cl_uint bounce, const Wave& from, const wave_part& part) const {
         if (bounce == from.bounce) return memory_.next(from, part, false);
-        const Wave wave = memory_.packed(bounce);
+        const Wave wave = packed(from, part, bounce);
         return memory_.next(wave, whole_wave(wave.width, wave.height), true);
+    }
+
+    // One of the waves that come of a part of `from`. Each ray sends on one of each kind at most.
+    Wave packed(const Wave& from, const wave_part& part, cl_uint bounce) const {
+        const bool has_both = branch_kinds(*desc_.scene) == (1 << RSH_BRANCHES) - 1;
+        const cl_uint doublings = has_both ? bounce - from.bounce : 0;
+        return memory_.packed(bounce, cl_ulong{part.count} << doublings);
     }
 
     bool fits(cl_uint spawned) const { return spawned > 0 && spawned <= memory_.most_rays(); }
@@ -144,10 +177,10 @@ private:
         });
     }
 
-    void begin_image() {
+    void begin_image(const Wave& wave) {
         clear_active_count();
-        clear_colour(recorder_, *desc_.scene, memory_.hits(0), memory_.screen().rays(),
-                     memory_.colour(0), memory_.active_count());
+        clear_colour(recorder_, *desc_.scene, memory_.hits(0), wave.rays(), memory_.colour(0),
+                     memory_.active_count());
         count_later(
             [](rsh_statistics& sums, const cl_uint* count) { sums.active_rays[0] += *count; });
     }
@@ -156,7 +189,7 @@ private:
         recorder_.fill(RSH_STAGE_OTHER, memory_.active_count(), 0, sizeof(cl_uint));
     }
 
-    // The one place where a frame waits for what it enqueued: for how many rays each wave sent on.
+    // Where a frame waits for what it enqueued: for how many rays each wave sent on.
     // Bounds that were none end the frame.
     std::vector<cl_uint> read_counts() {
         const size_t bounces = desc_.bounces;

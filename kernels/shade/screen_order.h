@@ -29,24 +29,30 @@ static cells hilbert_cells(uintv place)
     return at;
 }
 
-/* The rays at RSH_WIDTH places of a wave; RSH_NO_RAY: from `end` on, or that part of a square lies
- * outside of the screen. They lie in one square or two. */
-RSH_CALLED static void rays_at_places(wave_part wave, uint first, uint end, uint* index)
+/* The cells of a screen at RSH_WIDTH places. They lie in one square or two, and may be outside. */
+static cells cells_at_places(wave_part screen, uintv place, uint first)
 {
-    number_lanes(first, end, index);
-    if (wave.height == 1) return;
     const uint square = RSH_SCREEN_SQUARE * RSH_SCREEN_SQUARE;
-    const uint columns = (wave.width + RSH_SCREEN_SQUARE - 1) / RSH_SCREEN_SQUARE;
+    const uint columns = (screen.width + RSH_SCREEN_SQUARE - 1) / RSH_SCREEN_SQUARE;
     const uint one = first / square, two = one + 1;
-    const uintv place = load_lanes(index);
     const intv in_two = place >= (uintv)(two * square);
     const uintv column = select((uintv)(one % columns), (uintv)(two % columns), in_two);
     const uintv row = select((uintv)(one / columns), (uintv)(two / columns), in_two);
     const cells at = hilbert_cells(place % square);
-    const uintv x = column * RSH_SCREEN_SQUARE + at.x, y = row * RSH_SCREEN_SQUARE + at.y;
-    const intv is_inside =
-        (place != (uintv)(RSH_NO_RAY)) & (x < (uintv)(wave.width)) & (y < (uintv)(wave.height));
-    store_lanes(select((uintv)(RSH_NO_RAY), y * wave.width + x, is_inside), index);
+    return (cells){column * RSH_SCREEN_SQUARE + at.x, row * RSH_SCREEN_SQUARE + at.y};
+}
+
+/* The rays at RSH_WIDTH places of a wave; RSH_NO_RAY: from `end` on, or that part of a square lies
+ * outside of the screen. */
+RSH_CALLED static void rays_at_places(wave_part wave, uint first, uint end, uint* index)
+{
+    number_lanes(first, end, index);
+    if (wave.height == 1) return;
+    const uintv place = load_lanes(index);
+    const cells at = cells_at_places(wave, place, first);
+    const intv is_inside = (place != (uintv)(RSH_NO_RAY)) & (at.x < (uintv)(wave.width)) &
+                           (at.y < (uintv)(wave.height));
+    store_lanes(select((uintv)(RSH_NO_RAY), at.y * wave.width + at.x, is_inside), index);
 }
 
 #endif

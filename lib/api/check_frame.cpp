@@ -78,6 +78,8 @@ void check_shape(const rsh_frame_desc& desc) {
     check_node_shape(find_engine(desc.engine), desc.shape);
     find_strategy(desc.strategy);
     require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_BOUND_... value");
+    require(desc.tolerance >= 0 && std::isfinite(desc.tolerance), "tolerance", desc.tolerance,
+            "finite, not negative");
 }
 
 void check_buffers(const Context& context, const rsh_frame_desc& desc) {

@@ -7,6 +7,7 @@
 #include "device/cl/span.hpp"
 #include "frame/strips.hpp"
 #include "rays/node_shape.hpp"
+#include "reduce/strategy.hpp"
 #include "traverse/engine.hpp"
 
 namespace rsh {
@@ -19,6 +20,11 @@ bool needs_shadows(const rsh_frame_desc& desc) {
 bool needs_bounces(const rsh_frame_desc& desc) {
     return desc.bounces > 0 &&
            (desc.scene->features & (RSH_FEATURE_REFLECTION | RSH_FEATURE_REFRACTION)) != 0;
+}
+
+// Where no rays come after the camera's, there is nothing to leave out.
+bool is_approximate(const rsh_frame_desc& desc) {
+    return desc.tolerance > 0 && (needs_shadows(desc) || needs_bounces(desc));
 }
 
 std::string numbered(const char* name, cl_uint bounce) {
@@ -68,8 +74,11 @@ void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc&
         traverse =
             std::max(traverse, engine.scratch(context, pass, BoundsFrom::caller).bytes());
     };
+    const bool has_lists = needs_bounces(desc) || is_approximate(desc);
     reserve(desc.width, desc.height);
-    reserve(needs_bounces(desc) ? desc.width * desc.height : desc.width, 1);
+    reserve(has_lists ? desc.width * desc.height : desc.width, 1);
+    const pixel_grid grid = grid_of(desc.width, desc.height, RSH_WIDEST_STEP);
+    if (is_approximate(desc)) reserve(grid.columns, grid.rows);
     layout.add("nodes", nodes);
     layout.add("build scratch", build);
     layout.add("traverse", traverse);
@@ -103,10 +112,38 @@ void add_waves(Layout& layout, const Context& context, const rsh_frame_desc& des
                               wave_count_words(context, desc.width, desc.height));
 }
 
+// Packs what blend_pixels lists; of the finest grid that it is given, most.
+rsh_reduce_desc pack_listed_of(const rsh_frame_desc& desc, cl_uint step = 2) {
+    rsh_reduce_desc pass = {};
+    pass.struct_size = sizeof pass;
+    pass.strategy = desc.strategy;
+    pass.keep = RSH_KEEP_NOT_NULL;
+    pass.element_bytes = sizeof(cl_uint);
+    pass.count = listed_words(grid_of(desc.width, desc.height, step));
+    return pass;
+}
+
+// What an approximate frame needs beside the waves, whose first one holds some of the pixels.
+void add_pixels(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
+    const size_t pixels = size_t{desc.width} * desc.height;
+    const rsh_reduce_desc pack = pack_listed_of(desc);
+    layout.add_array<rsh_ray>("screen rays", pixels);
+    layout.add_array<rsh_hit>("screen hits", pixels);
+    layout.add_array<rsh_float4>("colour 0", pixels);
+    layout.add_array<cl_uint>("listed pixels", pack.count);
+    layout.add_array<cl_uint>("rest pixels", pixels);
+    layout.add_array<cl_uint>("rest count", 1);
+    layout.add("pack pixels", reduce_scratch(context, pack).bytes());
+}
+
 }  // namespace
 
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
-    return chosen_strategy(context, traverse_of(desc, desc.width, desc.height));
+    const rsh_traverse_desc traverse = traverse_of(desc, desc.width, desc.height);
+    if (!is_approximate(desc)) return chosen_strategy(context, traverse);
+    return chosen_strategy(context, desc.strategy,
+                           std::max(find_engine(desc.engine).longest_stream(traverse),
+                                    pack_listed_of(desc).count));
 }
 
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
@@ -120,6 +157,7 @@ Layout strip_scratch(const Context& context, const rsh_frame_desc& whole, cl_uin
     Layout layout(context.caps.alignment);
     layout.add_array<rsh_ray>("rays 0", pixels);
     layout.add_array<rsh_hit>("hits 0", pixels);
+    if (is_approximate(desc)) add_pixels(layout, context, desc);
     if (needs_bounces(desc)) add_waves(layout, context, desc);
     layout.add_array<cl_uint>("active count", 1);
     layout.add("rasterize", rasterize_scratch(context, rasterize_of(desc)).bytes());
@@ -145,6 +183,7 @@ bool FrameMemory::take_strip(cl_uint first_row) {
     desc_.window.picture_height = picture_side(whole_.window.picture_height, whole_.height);
     desc_.window.picture_width = picture_side(whole_.window.picture_width, whole_.width);
     const size_t row = size_t{desc_.width} * sizeof(rsh_float4);
+    grid_ = grid_of(desc_.width, desc_.height, RSH_WIDEST_STEP);
     colour_ = part_of(span_of(whole_.colour), row * first_row, row * desc_.height);
     return true;
 }
@@ -179,10 +218,15 @@ bool FrameMemory::has_bounces() const {
     return needs_bounces(desc_);
 }
 
+bool FrameMemory::is_approximate() const {
+    return rsh::is_approximate(desc_);
+}
+
 rsh_rasterize_desc FrameMemory::rasterize() const {
+    const PixelPass all = pixels();
     rsh_rasterize_desc pass = rasterize_of(desc_);
-    pass.rays = at("rays", 0);
-    pass.hits = at("hits", 0);
+    pass.rays = all.screen_rays;
+    pass.hits = all.screen_hits;
     pass.scratch = scratch_["rasterize"];
     return pass;
 }
@@ -236,6 +280,55 @@ rsh_audit_desc FrameMemory::audit(const Wave& wave) const {
     return pass;
 }
 
+rsh_audit_desc FrameMemory::audit_screen() const {
+    const PixelPass all = pixels();
+    rsh_audit_desc pass = audit(screen());
+    pass.rays = all.screen_rays;
+    pass.hits = all.screen_hits;
+    return pass;
+}
+
+// Of all pixels; where none is left out, the first wave.
+PixelPass FrameMemory::pixels() const {
+    PixelPass pass = {};
+    pass.grid = grid_;
+    pass.rays = at("rays", 0);
+    pass.hits = at("hits", 0);
+    pass.colour = colour(0);
+    pass.screen_rays = is_approximate() ? scratch_["screen rays"] : pass.rays;
+    pass.screen_hits = is_approximate() ? scratch_["screen hits"] : pass.hits;
+    pass.picture = colour_.get();
+    return pass;
+}
+
+PixelPass FrameMemory::grid_pixels() const {
+    PixelPass pass = pixels();
+    pass.count = grid().rays();
+    return pass;
+}
+
+PixelPass FrameMemory::rest_pixels(cl_uint count) const {
+    PixelPass pass = pixels();
+    pass.pixels = scratch_["rest pixels"];
+    pass.count = count;
+    return pass;
+}
+
+BlendPass FrameMemory::blend(cl_uint step) const {
+    return {desc_.scene,     grid_of(desc_.width, desc_.height, step),
+            desc_.tolerance, scratch_["screen hits"],
+            colour_.get(),   scratch_["listed pixels"]};
+}
+
+rsh_reduce_desc FrameMemory::pack_listed(cl_uint step) const {
+    rsh_reduce_desc pass = pack_listed_of(desc_, step);
+    pass.input = scratch_["listed pixels"];
+    pass.output = scratch_["rest pixels"];
+    pass.output_count = rest_count();
+    pass.scratch = scratch_["pack pixels"];
+    return pass;
+}
+
 rsh_shade_desc FrameMemory::shade(const Wave& wave) const {
     rsh_shade_desc pass = {};
     pass.struct_size = sizeof pass;
@@ -264,7 +357,7 @@ WavePass FrameMemory::next(const Wave& wave, const wave_part& part, bool is_coun
     pass.bounce = wave.bounce;
     pass.spawned_counts = spawned_counts();
     pass.capacity = most_rays();
-    const Wave next = packed(wave.bounce + 1);
+    const Wave next = packed(wave.bounce + 1, most_rays());
     pass.next_count = list_count(next);
     pass.spawned_rays = at("rays", next.bounce);
     pass.spawned_weights = weights(next);

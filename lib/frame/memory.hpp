@@ -1,9 +1,12 @@
 // memory.hpp - the memory of a frame, which it works off in strips (strips.hpp): per bounce a wave of
-// rays, and what all waves share. The first wave is the strip; each later one holds what the one
-// before it sent on, packed, or a part of that if there is no room for more. Declares buffers;
-// pipeline.cpp says what happens in them.
+// rays, and what all waves share. The first wave is the strip, or some of its pixels; each later one
+// holds what the one before it sent on, packed, or a part of that if there is no room for more.
+// Declares buffers; pipeline.cpp says what happens in them.
 #pragma once
 
+#include <algorithm>
+
+#include "approximate/approximate.hpp"
 #include "device/cl/scratch.hpp"
 #include "rays/node_shape.hpp"
 #include "shade/shade.hpp"
@@ -32,13 +35,21 @@ public:
     bool take_strip(cl_uint first_row);
     cl_uint rows() const { return rows_; }
     Wave screen() const { return {0, desc_.width, desc_.height}; }
+    // Of an approximate frame: first waves of some pixels.
+    Wave grid() const { return {0, grid_.columns, grid_.rows}; }
+    Wave rest(cl_uint count) const { return {0, count, 1}; }
     // Rays that a wave after the first one may hold.
     cl_uint most_rays() const { return desc_.width * rows_; }
-    // Such a wave. How many rays it has, only list_count says.
-    Wave packed(cl_uint bounce) const { return {bounce, most_rays(), 1}; }
+    // Such a wave, which has up to `most` rays. How many, only list_count says.
+    Wave packed(cl_uint bounce, cl_ulong most) const {
+        return {bounce, static_cast<cl_uint>(std::min<cl_ulong>(most, most_rays())), 1};
+    }
     bool traces_rays() const;
     bool casts_shadows() const;
     bool has_bounces() const;
+    bool is_approximate() const;
+    // Whether the host waits for counts of the device.
+    bool reads_counts() const { return has_bounces() || is_approximate(); }
 
     // Descriptors of the stages over this frame's memory.
     rsh_rasterize_desc rasterize() const;
@@ -46,6 +57,7 @@ public:
     rsh_build_desc build(const Wave& wave) const;
     rsh_traverse_desc traverse(const Wave& wave) const;
     rsh_audit_desc audit(const Wave& wave) const;
+    rsh_audit_desc audit_screen() const;
     rsh_shade_desc shade(const Wave& wave) const;
     // From a part of a wave to the next one. is_counted: of that part only as many rays as the
     // wave has.
@@ -56,9 +68,17 @@ public:
     rsh_traverse_desc traverse_shadow(const Wave& wave, cl_uint light) const;
     rsh_audit_desc audit_shadow(const Wave& wave, cl_uint light) const;
 
+    // Of an approximate frame: the pixels of its first grid; between those of a grid, the ones that
+    // are not like them.
+    PixelPass grid_pixels() const;
+    BlendPass blend(cl_uint step) const;
+    rsh_reduce_desc pack_listed(cl_uint step) const;
+    PixelPass rest_pixels(cl_uint count) const;
+    cl_mem rest_count() const { return scratch_["rest count"]; }
+
     cl_mem hits(cl_uint bounce) const { return at("hits", bounce); }
     cl_mem colour(cl_uint bounce) const {
-        return bounce ? at("colour", bounce) : colour_.get();
+        return bounce || is_approximate() ? at("colour", bounce) : colour_.get();
     }
     cl_mem occlusion() const { return scratch_.find("occlusion"); }
     cl_mem wrong_buffers() const { return scratch_["wrong buffers"]; }
@@ -74,6 +94,7 @@ private:
     template <class Pass>
     Pass of_shadow(Pass pass, cl_uint light) const;
     rsh_spawn_desc spawn_shadow(const Wave& wave, cl_uint light) const;
+    PixelPass pixels() const;
     cl_mem at(const char* name, cl_uint bounce) const;
     cl_mem weights(const Wave& wave) const;
     cl_mem bounds() const;
@@ -81,6 +102,7 @@ private:
     const rsh_frame_desc whole_;
     const cl_uint rows_;   // of all strips but the last
     rsh_frame_desc desc_;  // of the strip
+    pixel_grid grid_;      // the first one of the strip
     Scratch scratch_;
     Buffer colour_;  // of the strip
 };

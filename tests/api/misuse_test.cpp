@@ -539,6 +539,9 @@ TEST_F(Misuse, OfScenesAndFramesIsRefused) {
                   {"bounces", "17", "16"});
     refuses<Desc>(desc, [](Desc& d) { d.min_weight = NAN; }, RSH_INVALID_VALUE,
                   {"min_weight", "nan"});
+    for (const float wrong : {-0.5f, NAN, INFINITY})
+        refuses<Desc>(desc, [=](Desc& d) { d.tolerance = wrong; }, RSH_INVALID_VALUE,
+                      {"tolerance", "finite, not negative"});
     refuses<Desc>(desc, [](Desc& d) { d.engine = 9; }, RSH_INVALID_VALUE, {"engine", "9"});
     refuses<Desc>(desc, [](Desc& d) { d.budget = 1; }, RSH_INVALID_VALUE, {"budget", "1"});
     refuses<Desc>(desc, [](Desc& d) { d.window.x = 1; }, RSH_INVALID_VALUE,

@@ -256,6 +256,9 @@ void EveryCall::add_passes(std::vector<Call>& calls) const {
     nothing.count = 0;
     calls.push_back(pass("rsh_reduce of nothing", rsh_reduce, nothing));
     calls.push_back(pass("rsh_frame", rsh_frame, frame()));
+    rsh_frame_desc approximate = frame();
+    approximate.tolerance = 0.01f;
+    calls.push_back(pass("rsh_frame, approximate", rsh_frame, approximate));
 }
 
 void EveryCall::add_blocking(std::vector<Call>& calls) const {

@@ -41,9 +41,7 @@ public:
 
     std::vector<cl_float4> render() {
         const size_t pixels = size_t(options_.width) * options_.height;
-        test::Rays rays = {{}, options_.width, options_.height};
-        std::vector<rsh_hit> hits;
-        rasterize(&rays.rays, &hits);
+        const auto [rays, hits] = test::rasterize(scene_, options_);
         std::vector<cl_float4> colour = wave(rays, hits, {}, 0);
         for (size_t i = 0; i < pixels; ++i)
             colour[i].s[3] = hits[i].primitive == RSH_NO_HIT ? 0.0f : 1.0f;
@@ -55,25 +53,6 @@ public:
     std::vector<cl_ulong> shadow_rays = std::vector<cl_ulong>(RSH_MAX_LEVELS + 1);
 
 private:
-    void rasterize(std::vector<rsh_ray>* rays, std::vector<rsh_hit>* hits) {
-        const size_t pixels = size_t(options_.width) * options_.height;
-        const test::Buffer<rsh_ray> ray_buffer(pixels);
-        const test::Buffer<rsh_hit> hit_buffer(pixels);
-        rsh_rasterize_desc desc = {};
-        desc.struct_size = sizeof desc;
-        desc.geometry = scene_.desc.geometry;
-        desc.camera = options_.camera ? *options_.camera
-                                      : test::gallery_camera(options_.width, options_.height);
-        desc.width = options_.width;
-        desc.height = options_.height;
-        desc.rays = ray_buffer.get();
-        desc.hits = hit_buffer.get();
-        RSH_CHECK(rsh_rasterize(test::device().rsh, test::device().queue(), &desc, 0, nullptr,
-                                nullptr));
-        *rays = ray_buffer.read();
-        *hits = hit_buffer.read();
-    }
-
     std::vector<cl_float4> wave(const test::Rays& rays, const std::vector<rsh_hit>& hits,
                                 const std::vector<cl_float4>& weights, uint32_t depth) {
         std::vector<cl_float4> colour(hits.size(), cl_float4{{0, 0, 0, 0}});

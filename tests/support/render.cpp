@@ -69,6 +69,7 @@ size_t least_budget(const DeviceScene& scene, const FrameOptions& options) {
     desc.bounces = options.bounces;
     desc.engine = options.engine;
     desc.strategy = options.strategy;
+    desc.tolerance = options.tolerance;
     desc.budget = 1;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
@@ -106,6 +107,7 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
     desc.audit_rays = options.audit_rays;
     desc.audit = options.audit;
     desc.window = options.window;
+    desc.tolerance = options.tolerance;
     std::unique_ptr<Bytes> scratch;
     if (options.own_scratch) {
         rsh_sizes sizes = {};
@@ -121,6 +123,23 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
         EXPECT_TRUE(scratch->guards_intact());
     }
     return colour.read();
+}
+
+Raster rasterize(const DeviceScene& scene, const FrameOptions& options) {
+    const size_t pixels = size_t(options.width) * options.height;
+    const Buffer<rsh_ray> rays(pixels);
+    const Buffer<rsh_hit> hits(pixels);
+    rsh_rasterize_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.geometry = scene.desc.geometry;
+    desc.camera =
+        options.camera ? *options.camera : gallery_camera(options.width, options.height);
+    desc.width = options.width;
+    desc.height = options.height;
+    desc.rays = rays.get();
+    desc.hits = hits.get();
+    RSH_CHECK(rsh_rasterize(device().rsh, device().queue(), &desc, 0, nullptr, nullptr));
+    return {{rays.read(), options.width, options.height}, hits.read()};
 }
 
 }  // namespace test

@@ -48,6 +48,7 @@ struct FrameOptions {
     cl_uint audit_rays = 0;
     cl_mem audit = nullptr;
     rsh_window window = {};
+    float tolerance = 0;
 };
 
 // The gallery's camera.
@@ -57,5 +58,12 @@ rsh_camera gallery_camera(uint32_t width, uint32_t height);
 size_t least_budget(const DeviceScene& scene, const FrameOptions& options);
 
 std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& options);
+
+// What the camera of a frame sees.
+struct Raster {
+    Rays rays;
+    std::vector<rsh_hit> hits;
+};
+Raster rasterize(const DeviceScene& scene, const FrameOptions& options);
 
 }  // namespace test

@@ -59,3 +59,20 @@ def test_materials_lights_and_mirrors(scene):
         rsh.render(scene, camera, materials=materials, material_ids=[0, 1, 1])
     with pytest.raises(TypeError, match="lights must be a NumPy array of dtype"):
         rsh.render(scene, camera, lights=np.zeros(1))
+
+
+def test_an_approximate_picture_is_nearly_the_exact_one(scene):
+    materials = np.zeros(1, np.dtype(Material))
+    materials["texture"] = rsh.NO_TEXTURE
+    materials["diffuse"][0, :3] = 0.5
+    materials["reflection"][0, :3] = 0.5
+    camera = rsh.look_at([0.3, -2, 1], [0, 0, 0])
+    asked = {"materials": materials, "environment": (0.1, 0.2, 0.3)}
+    exact = rsh.render(scene, camera, 128, 96, **asked)
+    near = rsh.render(scene, camera, 128, 96, **asked, tolerance=0.02)
+    np.testing.assert_array_equal(near[::4, ::4], exact[::4, ::4])
+    differs = np.any(near != exact, axis=-1)
+    assert 0.01 < differs.mean() < 0.75
+    assert np.quantile(np.abs(near - exact), 0.99) < 0.05
+    with pytest.raises(rsh.Error, match="tolerance: is nan, must be finite, not negative"):
+        rsh.render(scene, camera, 8, 8, **asked, tolerance=float("nan"))

@@ -30,6 +30,7 @@ RenderSettings render_settings(const Options& options, const SceneSettings& scen
     s.size = options.size.value_or(scene.size.value_or(s.size));
     s.bounces = options.bounces.value_or(scene.bounces.value_or(s.bounces));
     s.min_weight = options.min_weight.value_or(scene.min_weight.value_or(s.min_weight));
+    s.tolerance = options.tolerance;
     s.cut = scene.cut.value_or(s.cut);
     s.engine = options.engine;
     s.bound = options.bound;
@@ -67,6 +68,7 @@ RunReport begin_report(const rsh::Device& device, const World& world,
     report.triangles = world.mesh().triangles.size();
     report.size = settings.size;
     report.bounces = settings.bounces;
+    report.tolerance = settings.tolerance;
     return report;
 }
 

@@ -73,6 +73,10 @@ void add_picture_options(CLI::App& app, Options& o) {
     app.add_option("--min-weight", o.min_weight, "Leave out rays that weigh no more")
         ->check(CLI::Range(0.0, 1.0))
         ->check(a_number());
+    app.add_option("--tolerance", o.tolerance,
+                   "Approximate: trace only pixels that differ so much from their neighbours")
+        ->check(CLI::Range(0.0, 1.0))
+        ->check(a_number());
     const auto leave_out = [&o](rsh_features feature) {
         return [&o, feature](int64_t) { o.without |= feature; };
     };

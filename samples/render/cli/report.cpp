@@ -116,6 +116,8 @@ std::string table(const RunReport& report) {
     text +=
         fmt::format("{} triangles, {} x {} pixels, {} bounces, {} frames\n", report.triangles,
                     report.size.x, report.size.y, report.bounces, report.frames.size());
+    if (report.tolerance > 0)
+        text += fmt::format("approximate: tolerance {}\n", report.tolerance);
     text += fmt::format(
         "scene read in {:.0f} ms; first frame {:.0f} ms, not counted below: {} "
         "programs compiled, {} from the cache\n",
@@ -146,6 +148,7 @@ nlohmann::json as_json(const RunReport& report) {
             {"width", report.size.x},
             {"height", report.size.y},
             {"bounces", report.bounces},
+            {"tolerance", report.tolerance},
             {"load_ms", report.load_ms},
             {"first_frame_ms", report.first_frame_ms},
             {"programs_built", report.programs_built},

@@ -17,6 +17,7 @@ struct RunReport {
     uint64_t triangles = 0;
     glm::uvec2 size{0};
     uint32_t bounces = 0;
+    float tolerance = 0;   // above: the frames are approximate
     double load_ms = 0.0;  // reading the scene
     double first_frame_ms =
         0.0;  // the unmeasured frame that compiles programs and grows scratch

@@ -55,6 +55,7 @@ rsh_frame_desc Renderer::frame_desc() const {
     desc.height = settings_.size.y;
     desc.bounces = settings_.bounces;
     desc.min_weight = settings_.min_weight;
+    desc.tolerance = settings_.tolerance;
     desc.engine = settings_.engine;
     desc.shape = settings_.bound;
     desc.strategy = settings_.strategy;

@@ -15,6 +15,7 @@ struct RenderSettings {
     glm::uvec2 size{640, 480};
     uint32_t bounces = 4;
     float min_weight = 1e-4f;  // of 10^7 channels of the sample scenes, 155 change, by 1
+    float tolerance = 0;       // see rsh_frame_desc
     uint32_t cut = RSH_CUT_BLACK;
     uint32_t engine = RSH_ENGINE_DEFAULT;
     uint32_t bound = RSH_SHAPE_DEFAULT;

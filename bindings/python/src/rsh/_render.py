@@ -57,6 +57,7 @@ def render(
     ambient: Sequence[float] = (0.2, 0.2, 0.2),
     environment: Sequence[float] = (0, 0, 0),
     bounces: int = 4,
+    tolerance: float = 0,
     progress: Callable[[int, int], object] | None = None,
 ) -> NDArray[np.float32]:
     """Render a picture with Whitted's reflections, refractions and shadows; BLOCKS.
@@ -78,6 +79,9 @@ def render(
         Linear colours of the light from everywhere, and of what rays see that hit nothing.
     bounces : int, optional
         The longest chain of reflections and refractions.
+    tolerance : float, optional
+        Above 0 the picture is approximate: a pixel between others that look alike but for so much, 0.01
+        say, gets their colour. See rsh_frame in rsh.h.
     progress : callable, optional
         Is called before each wave of rays, as by rsh_frame; `rsh.progress.Bar` is one.
 
@@ -122,6 +126,7 @@ def render(
         width=width,
         height=height,
         bounces=bounces,
+        tolerance=tolerance,
         colour=colour,
         progress=progress,
         wait_for=waits,
