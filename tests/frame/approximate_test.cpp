@@ -131,10 +131,15 @@ bool same(const cl_float4& a, const cl_float4& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-TEST(Approximate, TracesOrBlendsAsTheInterfaceSays) {
+// By vectors of so many lanes, which shade with other last bits.
+class ApproximateWidth : public ::testing::TestWithParam<cl_uint> {};
+
+TEST_P(ApproximateWidth, TracesOrBlendsAsTheInterfaceSays) {
+    const test::OwnContext context(GetParam());
     const test::Scene gallery = test::gallery();
     const test::DeviceScene scene(gallery);
     FrameOptions options = sized(97, 139);
+    options.context = context.get();
     const auto exact = test::frame(scene, options);
     options.tolerance = kTolerance;
     const auto picture = test::frame(scene, options);
@@ -161,6 +166,8 @@ TEST(Approximate, TracesOrBlendsAsTheInterfaceSays) {
     EXPECT_GT(blended, picture.size() / 8);
     EXPECT_LT(blended, picture.size() / 8 * 6);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ApproximateWidth, ::testing::Values(1u, 4u, 8u, 16u));
 
 TEST(Approximate, GivesTheSameBytesInEveryWay) {
     const test::DeviceScene scene(test::gallery());
