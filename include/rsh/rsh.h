@@ -155,7 +155,7 @@ typedef struct rsh_context_s* rsh_context;
 typedef void (*rsh_log)(const char* message, void* user);
 
 /* The variants that a program has at most, see rsh_create_context; and to do without any. */
-#define RSH_MAX_VARIANTS 16u
+#define RSH_MAX_VARIANTS 8u
 #define RSH_NO_VARIANTS 0xffffffffu
 
 typedef struct rsh_context_desc {

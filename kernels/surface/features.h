@@ -12,9 +12,6 @@
 #ifndef RSH_SMOOTH_NORMAL
 #define RSH_SMOOTH_NORMAL RSH_BY_SCENE /* normals are interpolated between the vertices */
 #endif
-#ifndef RSH_TRANSMISSION
-#define RSH_TRANSMISSION RSH_BY_SCENE /* 0: mirror rays need not know what transmits light */
-#endif
 #ifndef RSH_TEXTURE
 #define RSH_TEXTURE RSH_BY_SCENE
 #endif
@@ -33,9 +30,10 @@ static bool has_smooth_normals(uint features)
     return has_feature(RSH_SMOOTH_NORMAL, features, RSH_IN_SCENE_SMOOTH_NORMAL);
 }
 
+/* Asked of the scene in every program: to leave it out saved no time, on GPUs no register. */
 static bool has_transmission(uint features)
 {
-    return has_feature(RSH_TRANSMISSION, features, RSH_IN_SCENE_REFRACTION);
+    return (features & RSH_IN_SCENE_REFRACTION) != 0;
 }
 
 static bool has_textures(uint features)

@@ -14,7 +14,6 @@ inline KernelName surface_kernel(const rsh_scene& scene, const char* kernel) {
     };
     return {"programs/surface", kernel,
             define("RSH_SMOOTH_NORMAL", RSH_FEATURE_SMOOTH_NORMAL) +
-                define("RSH_TRANSMISSION", RSH_FEATURE_REFRACTION) +
                 define("RSH_TEXTURE", RSH_FEATURE_TEXTURE) +
                 define("RSH_ENVIRONMENT_IMAGE", RSH_FEATURE_ENVIRONMENT_IMAGE),
             true};

@@ -24,15 +24,14 @@ CLANG = ("clang", "-x", "cl", "-cl-std=CL1.2", "-target", "spir64", "-D__OPENCL_
 FOLD = ("opt", "-S", "-passes=always-inline,function(sroa,sccp,simplifycfg),globaldce")
 WIDTHS = (1, 8)
 # Of programs/surface: what no program without the feature calls. Not everything is left out: rsh_find_surfaces
-# gives texture coordinates whether or not there are textures; and refraction, which calls are told at run time not
-# to make, is in every program (without RSH_TRANSMISSION mirrored rays alone do without).
+# gives texture coordinates whether or not there are textures; and refraction is in every program.
 FUNCTIONS = {
     ("RSH_SMOOTH_NORMAL",): ("load_vertex_normals", "smooth_normals", "smooth_normals_at"),
     ("RSH_TEXTURE",): ("texture_colour",),
     ("RSH_ENVIRONMENT_IMAGE",): ("direction_to_uv",),
     ("RSH_TEXTURE", "RSH_ENVIRONMENT_IMAGE"): ("sample_image", "texel", "neighbours", "wrapped"),
 }
-SURFACE_OPTIONS = ("RSH_SMOOTH_NORMAL", "RSH_TRANSMISSION", "RSH_TEXTURE", "RSH_ENVIRONMENT_IMAGE")
+SURFACE_OPTIONS = ("RSH_SMOOTH_NORMAL", "RSH_TEXTURE", "RSH_ENVIRONMENT_IMAGE")
 # What the preprocessor leaves out, and where.
 BLOCKS = {
     "RSH_FILTER": ("programs/tiles", "traverse/brute_force", "traverse/audit"),
