@@ -8,7 +8,8 @@ set -euo pipefail
 library=(build-essential cmake ninja-build pkg-config ca-certificates
     ocl-icd-opencl-dev opencl-c-headers pocl-opencl-icd)
 samples=("${library[@]}" opencl-clhpp-headers libopenmesh-dev libopenimageio-dev libglm-dev libcli11-dev
-    libfmt-dev libarchive-dev libtinyobjloader-dev nlohmann-json3-dev)
+    libfmt-dev libarchive-dev libtinygltf-dev libtinyobjloader-dev
+    nlohmann-json3-dev)
 tests=("${samples[@]}" libgtest-dev libpng-dev oclgrind git python3 python3-venv
     python3-numpy python3-pyopencl
     clang clang-format clang-tidy libclc-14)

@@ -94,23 +94,13 @@ void limit_openers(size_t max_pixels) {
                     static_cast<int>(std::min(megabytes, size_t{INT_MAX})));
 }
 
-}  // namespace
-
-Image load_image(const std::string& path, size_t max_pixels) {
-    const Asset asset = read_asset(path);
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(asset.bytes.data()),
-                                         asset.bytes.size());
+// `proxy`: null for a plain file, which is read at its path.
+Image read_image(const std::string& path, const std::string& name,
+                 OIIO::Filesystem::IOProxy* proxy, size_t max_pixels) {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     limit_openers(max_pixels);
-    // Not every format can be read from memory; a plain file need not be.
-    const std::string ending = inner_extension(asset.location);
-    const bool is_plain = std::filesystem::is_regular_file(path) &&
-                          lower_case(std::filesystem::path(path).extension().string()) ==
-                              (ending.empty() ? "" : "." + ending);
-    OIIO::Filesystem::IOProxy* proxy = &memory;
-    if (!is_plain) wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const std::string name = is_plain ? path : "image." + ending;
+    if (proxy) wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     const auto input = OIIO::ImageInput::open(name, &wishes);
     if (!input) throw std::runtime_error(fmt::format("{}: {}", path, OIIO::geterror()));
     const OIIO::ImageSpec& spec = input->spec();
@@ -129,6 +119,26 @@ Image load_image(const std::string& path, size_t max_pixels) {
         decode(image.floats, encoding);
     }
     return image;
+}
+
+}  // namespace
+
+Image decode_image(const Asset& asset, size_t max_pixels) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(asset.bytes.data()),
+                                         asset.bytes.size());
+    return read_image(asset.location, "image." + inner_extension(asset.location), &memory,
+                      max_pixels);
+}
+
+Image load_image(const std::string& path, size_t max_pixels) {
+    Asset asset = read_asset(path);
+    // Not every format can be read from memory; a plain file need not be.
+    const std::string ending = inner_extension(asset.location);
+    const bool is_plain = std::filesystem::is_regular_file(path) &&
+                          lower_case(std::filesystem::path(path).extension().string()) ==
+                              (ending.empty() ? "" : "." + ending);
+    return is_plain ? read_image(path, path, nullptr, max_pixels)
+                    : decode_image({path, std::move(asset.bytes)}, max_pixels);
 }
 
 }  // namespace render

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "files/asset.hpp"
 #include "model/model.hpp"
 
 namespace render {
@@ -18,5 +19,8 @@ constexpr size_t kMaxTexturePixels = size_t{1} << 27;
 // linear. 8 bits that are sRGB stay bytes, all others become linear floats. Alpha is handed on, but
 // does not touch the colours: they are those that the file stores.
 Image load_image(const std::string& path, size_t max_pixels = kMaxTexturePixels);
+
+// The same of bytes that were read already; the ending of their location names the format.
+Image decode_image(const Asset& asset, size_t max_pixels = kMaxTexturePixels);
 
 }  // namespace render

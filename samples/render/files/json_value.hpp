@@ -25,6 +25,7 @@ public:
     bool has(std::string_view key) const { return value_->contains(key); }
     bool is_object() const { return value_->is_object(); }
     bool is_number() const { return value_->is_number(); }
+    bool is_integer() const { return value_->is_number_integer(); }  // without a point
     JsonValue member(std::string_view key) const;
     std::optional<JsonValue> find(std::string_view key) const;
     std::vector<std::string> keys() const;

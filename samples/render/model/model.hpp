@@ -34,7 +34,9 @@ struct Material {
     glm::vec3 transmission{0.0f};
     float ior = 1.0f;
     glm::vec3 emission{0.0f};
-    std::string texture;          // path or archive member of the diffuse texture; empty: none
+    std::string texture;  // path or archive member of the diffuse texture; empty: none
+    // The image as the mesh's own file encodes it, which `texture` then only names; null: it does not.
+    std::shared_ptr<const std::string> texture_bytes;
     bool clamps_texture = false;  // shows its edge outside of 0..1, instead of repeating
     // What a file wants done to texture coordinates: scale * uv + shift. Its loader has done it.
     glm::vec2 texture_scale{1.0f}, texture_shift{0.0f};
@@ -84,6 +86,7 @@ struct Model {
 class Animation {
 public:
     virtual ~Animation() = default;
+    virtual bool moves() const { return true; }  // false: at() is the same at all times
     virtual double start() const = 0;
     virtual double end() const = 0;
     virtual int frames() const = 0;

@@ -11,6 +11,7 @@
 #include "files/asset.hpp"
 #include "files/json_value.hpp"
 #include "import/bart/aff_animation.hpp"
+#include "import/gltf/gltf_animation.hpp"
 #include "import/mesh_file.hpp"
 #include "import/vertex_frames.hpp"
 #include "model/creases.hpp"
@@ -22,7 +23,13 @@ namespace {
 std::unique_ptr<Animation> load_animation(const MeshEntry& entry) {
     if (!entry.vertex_frames.empty())
         return load_vertex_frames(entry.file, entry.vertex_frames);
-    if (inner_extension(entry.file) == "aff") return load_aff(entry.file);
+    const std::string extension = inner_extension(entry.file);
+    const bool is_gltf = extension == "gltf" || extension == "glb";
+    if (!entry.clip.empty() && !is_gltf)
+        throw std::runtime_error(fmt::format(
+            "clip: found \"{}\", allowed: none but for a .gltf or .glb file", entry.clip));
+    if (is_gltf) return load_gltf(entry.file, entry.clip);
+    if (extension == "aff") return load_aff(entry.file);
     return nullptr;
 }
 
@@ -41,6 +48,7 @@ void change(Material& material, const MaterialChange& c) {
     change_to(material.ior, c.ior);
     change_to(material.emission, c.emission);
     change_to(material.texture, c.texture);
+    if (c.texture) material.texture_bytes = nullptr;
     if (c.diffuse && !c.ambient) material.ambient = *c.diffuse;
 }
 
@@ -150,6 +158,7 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
             rest_ = animation_->at(animation_->start());
         else
             rest_ = entry_.file.empty() ? make_room(entry_.room) : load_mesh(entry_.file);
+        if (animation_ && !animation_->moves()) animation_.reset();
         if (animation_) animated_triangles_ = rest_.mesh.triangles;
         if (entry_.is_smooth) smooth();
         transform_ = static_transform(entry_, rest_.mesh);

@@ -34,6 +34,7 @@ struct MeshEntry {
     RoomOptions room;
     bool is_smooth = false;         // make vertex normals, instead of the file's
     float crease_degrees = 180.0f;  // edges that are sharper stay so
+    std::string clip;               // which animation of a glTF file; empty: its first
     bool repeats = false;           // an animation starts again after its end
     glm::dmat4 transform{1.0};
     std::optional<Stand> stand;

@@ -138,11 +138,12 @@ MaterialChange SceneSchema::material(const JsonValue& value) const {
 }
 
 MeshEntry SceneSchema::mesh_from_file(const JsonValue& value) const {
-    value.allow_keys({"file", "vertex_frames", "smooth", "repeat", "transform", "stand", "keys",
-                      "material", "materials"});
+    value.allow_keys({"file", "vertex_frames", "clip", "smooth", "repeat", "transform", "stand",
+                      "keys", "material", "materials"});
     MeshEntry entry;
     entry.file = file(value.member("file"));
     if (auto v = value.find("vertex_frames")) entry.vertex_frames = file(*v);
+    if (auto v = value.find("clip")) entry.clip = v->text();
     if (auto v = value.find("smooth")) {
         entry.is_smooth = v->is_number() || v->boolean();
         if (v->is_number()) entry.crease_degrees = v->number_in(0, 180);

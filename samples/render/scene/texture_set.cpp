@@ -13,7 +13,19 @@ namespace render {
 uint32_t TextureSet::add(const std::string& path, bool clamps) {
     if (const auto found = index_of_.find({path, clamps}); found != index_of_.end())
         return found->second;
-    const Image image = load_image(path, max_pixels_);
+    return add(path, load_image(path, max_pixels_), clamps);
+}
+
+uint32_t TextureSet::add(const Material& material) {
+    const std::string& name = material.texture;
+    const bool clamps = material.clamps_texture;
+    if (!material.texture_bytes) return add(name, clamps);
+    if (const auto found = index_of_.find({name, clamps}); found != index_of_.end())
+        return found->second;
+    return add(name, decode_image({name, *material.texture_bytes}, max_pixels_), clamps);
+}
+
+uint32_t TextureSet::add(const std::string& path, const Image& image, bool clamps) {
     const bool is_bytes = image.format == RSH_TEXEL_SRGB8;
     const size_t words = is_bytes ? image.bytes.size() / 4 : image.floats.size();
     const size_t first = texels_.size();

@@ -8,6 +8,8 @@
 
 #include <rsh/rsh_types.h>
 
+#include "model/model.hpp"
+
 namespace render {
 
 class TextureSet {
@@ -18,11 +20,15 @@ public:
     // Index of the image in the file; throws when it cannot be read. One that is wanted both
     // repeating and clamped is two textures.
     uint32_t add(const std::string& path, bool clamps = false);
+    // The same of a material's texture, which may be in its mesh's file.
+    uint32_t add(const Material& material);
 
     const std::vector<rsh_texture>& textures() const { return textures_; }
     const std::vector<uint32_t>& texels() const { return texels_; }
 
 private:
+    uint32_t add(const std::string& path, const Image& image, bool clamps);
+
     size_t max_pixels_;
     std::map<std::pair<std::string, bool>, uint32_t> index_of_;
     std::vector<rsh_texture> textures_;

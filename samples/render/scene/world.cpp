@@ -90,8 +90,7 @@ void World::append_materials(const Model& model, const MeshEntry& entry) {
             entry.material.texture || (named != entry.materials.end() && named->second.texture);
         uint32_t texture = RSH_NO_TEXTURE;
         try {
-            if (!material.texture.empty())
-                texture = textures_.add(material.texture, material.clamps_texture);
+            if (!material.texture.empty()) texture = textures_.add(material);
         } catch (const std::exception& error) {
             const std::string message = fmt::format("{}: material \"{}\": texture: {}",
                                                     entry.where, material.name, error.what());
