@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # scenes.sh - the gate of real scenes: renders every scene of samples/scenes whose files are in the
 # folder that RSH_SCENES names, traces every ray again by brute force (rsh-render --check), and
-# lets the double-precision oracle judge primary and reflected rays (rsh_scene_oracle).
+# lets the double-precision oracle judge primary and reflected rays (rsh_scene_oracle). Without SCENE, it
+# also compares the moving glTF models there with tests/scenes/gltf_check.py, for which it installs
+# pygltflib from PyPI into BUILD/gltf.
 #   scenes.sh [BUILD] [SCENE...]     default: build/release, all scenes
 # Without RSH_SCENES it says so and checks nothing, so it is not part of run.sh.
 set -euo pipefail
@@ -15,9 +17,23 @@ fi
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 scenes=("$@")
+failed=0
+checks=0
+
+# gltf_check.py needs the programs of BUILD alone, no device.
+check_gltf() {
+    local python=$build/gltf/bin/python
+    [ -x "$python" ] || python3 -m venv "$build/gltf"
+    "$python" -m pip install -q --disable-pip-version-check numpy pygltflib &&
+        "$python" -B tests/scenes/gltf_check.py "$build/tests/rsh_gltf_vertices" \
+            "$RSH_SCENES/fox/Fox.glb" "$RSH_SCENES/robot_expressive/RobotExpressive.glb"
+}
+if [ ${#scenes[@]} -eq 0 ]; then
+    checks=1
+    check_gltf || failed=1
+fi
 if [ ${#scenes[@]} -eq 0 ]; then scenes=(samples/scenes/*.json); fi
 
-failed=0
 for scene in "${scenes[@]}"; do
     start=$SECONDS
     if "$build/samples/rsh-render" "$scene" --out "$out/picture.png" --size 256x256 --bounces 2 \
@@ -31,5 +47,5 @@ for scene in "${scenes[@]}"; do
         failed=$((failed + 1))
     fi
 done
-echo "$((${#scenes[@]} - failed)) of ${#scenes[@]} scenes passed"
+echo "$((${#scenes[@]} + checks - failed)) of $((${#scenes[@]} + checks)) checks passed"
 [ "$failed" -eq 0 ]
