@@ -55,6 +55,15 @@ std::vector<double> frame_times(const Options& options, const SceneSettings& sce
     return times;
 }
 
+// A time that the scene file itself names is meant.
+void warn_of_time(const Options& options, const SceneSettings& scene, const World& world) {
+    if (!options.time) return;
+    if (scene.time && *options.time >= scene.time->start && *options.time <= scene.time->end)
+        return;
+    for (const std::string& warning : world.warnings_at(*options.time))
+        fmt::print(stderr, "warning: --time: {}\n", warning);
+}
+
 RunReport begin_report(const rsh::Device& device, const World& world,
                        const RenderSettings& settings) {
     RunReport report;
@@ -143,6 +152,7 @@ int run(const Options& options) {
     World world(scene, options.max_texture_pixels);
     for (const std::string& warning : world.warnings())
         fmt::print(stderr, "warning: {}\n", warning);
+    warn_of_time(options, scene.settings, world);
     const double load_ms = milliseconds_since(start);
     stop_if_interrupted();
 

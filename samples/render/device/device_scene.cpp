@@ -1,6 +1,8 @@
 // device_scene.cpp - fills the buffers of an rsh_scene.
 #include "device/device_scene.hpp"
 
+#include <cstring>
+
 #include "scene/device_structs.hpp"
 
 namespace render {
@@ -74,10 +76,17 @@ void DeviceScene::update(const World& world) {
     }
     if (world.has_turned_triangles())
         update(indices_, mesh.triangles.data(), 0, mesh.triangles.size());
-    if (world.moved().empty() || host_lights_.empty()) return;
-    for (size_t i = 0; i < host_lights_.size(); ++i)
-        host_lights_[i] = device_light(world.lights().at(i));
-    update(lights_, host_lights_.data(), 0, host_lights_.size());
+    update_lights(world.lights());
+}
+
+void DeviceScene::update_lights(const std::vector<Light>& lights) {
+    bool has_changed = false;
+    for (size_t i = 0; i < host_lights_.size(); ++i) {
+        const rsh_light now = device_light(lights.at(i));
+        has_changed |= std::memcmp(&now, &host_lights_[i], sizeof now) != 0;
+        host_lights_[i] = now;
+    }
+    if (has_changed) update(lights_, host_lights_.data(), 0, host_lights_.size());
 }
 
 }  // namespace render

@@ -24,6 +24,7 @@ private:
     // As many values as are there from `first` on; does not wait, so they must stay.
     template <typename T>
     void update(const rsh::Buffer& buffer, const T* values, size_t first, size_t count) const;
+    void update_lights(const std::vector<Light>& lights);
     void fill_geometry(const World& world);
     void fill_shading(const World& world);
     void find_features(const World& world, rsh_features without);

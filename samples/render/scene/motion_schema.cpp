@@ -62,7 +62,7 @@ glm::dmat4 step(const JsonValue& value) {
 RigidKey rigid_key(const JsonValue& value) {
     value.allow_keys({"time", "translate", "rotate", "scale"});
     RigidKey key;
-    key.time = value.member("time").number_in(-kLargest, kLargest);
+    key.time = key_time(value);
     if (auto v = value.find("translate")) key.translate = v->dvec3();
     if (auto v = value.find("rotate")) key.rotate = rotation(*v);
     if (auto v = value.find("scale"))
@@ -79,16 +79,12 @@ glm::dmat4 transform(const JsonValue& value) {
     return whole;
 }
 
+double key_time(const JsonValue& key) {
+    return key.member("time").number_in(-kLargest, kLargest);
+}
+
 std::vector<RigidKey> rigid_keys(const JsonValue& value) {
-    std::vector<RigidKey> keys;
-    for (const JsonValue& item : value.items()) {
-        const RigidKey key = rigid_key(item);
-        if (!keys.empty() && !(key.time > keys.back().time))
-            item.member("time").fail("a time after the key before");
-        keys.push_back(key);
-    }
-    if (keys.empty()) value.fail("an array of at least one key");
-    return keys;
+    return ascending_keys<RigidKey>(value, rigid_key);
 }
 
 }  // namespace render

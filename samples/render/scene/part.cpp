@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
@@ -219,7 +220,8 @@ int Part::frames() const {
 double Part::animation_time(double time) const {
     const double start = animation_->start();
     const double length = animation_->end() - start;
-    if (!entry_.repeats || !(length > 0.0)) return time;
+    if (!(length > 0.0)) return time;
+    if (!entry_.repeats) return std::clamp(time, start, animation_->end());
     const double passed = std::fmod(time - start, length);
     return start + (passed < 0.0 ? passed + length : passed);
 }

@@ -12,6 +12,7 @@
 #include "generate/room.hpp"
 #include "model/model.hpp"
 #include "scene/motion.hpp"
+#include "scene/view/view_keys.hpp"
 
 namespace render {
 
@@ -65,8 +66,8 @@ struct SceneSettings {
 
 struct SceneDescription {
     std::vector<MeshEntry> meshes;
-    std::optional<Camera> camera;
-    std::optional<std::vector<Light>> lights;
+    std::optional<SceneCamera> camera;
+    std::optional<std::vector<SceneLight>> lights;
     std::optional<glm::vec3> ambient;
     std::optional<Environment> environment;
     SceneSettings settings;

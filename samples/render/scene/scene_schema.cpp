@@ -1,4 +1,4 @@
-// scene_schema.cpp - scene, mesh, material, camera, light, environment and settings objects.
+// scene_schema.cpp - scene, mesh, material, environment and settings objects.
 #include "scene/scene_schema.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +6,7 @@
 
 #include "files/file_search.hpp"
 #include "scene/motion_schema.hpp"
+#include "scene/view/view_schema.hpp"
 
 namespace render {
 namespace {
@@ -27,57 +28,6 @@ RoomOptions room(const JsonValue& value) {
     if (auto v = value.find("glass")) options.glass = v->boolean();
     if (auto v = value.find("seed")) options.seed = v->integer_in(0, UINT32_MAX);
     return options;
-}
-
-Camera camera(const JsonValue& value) {
-    value.allow_keys({"eye", "at", "up", "vertical_degrees", "near"});
-    Camera camera;
-    camera.eye = value.member("eye").vec3();
-    camera.at = value.member("at").vec3();
-    if (auto v = value.find("up")) camera.up = v->direction();
-    if (auto v = value.find("vertical_degrees"))
-        camera.vertical_degrees = v->number_in(0.01, 179);
-    if (auto v = value.find("near")) camera.near = v->number_in(0, kHuge);
-    if (!has_length(glm::cross(camera.at - camera.eye, camera.up)))
-        value.fail("\"eye\" and \"at\" that differ, in a direction other than \"up\"");
-    return camera;
-}
-
-void light_position(const JsonValue& value, Light& light) {
-    if (light.kind != RSH_LIGHT_DIRECTIONAL) light.position = value.member("position").vec3();
-    if (light.kind == RSH_LIGHT_POINT) return;
-    const bool has_target = light.kind == RSH_LIGHT_SPOT && value.has("at");
-    light.direction = has_target ? value.member("at").vec3() - light.position
-                                 : value.member("direction").direction();
-    if (!has_length(light.direction))
-        value.member("at").fail("a place other than \"position\"");
-}
-
-Light light(const JsonValue& value) {
-    Light light;
-    value.allow_keys({"kind", "position", "direction", "at", "colour", "attenuation",
-                      "inner_degrees", "outer_degrees", "shadow"});
-    const std::string kind = value.member("kind").one_of({"point", "directional", "spot"});
-    light.kind = kind == "point"  ? RSH_LIGHT_POINT
-                 : kind == "spot" ? RSH_LIGHT_SPOT
-                                  : RSH_LIGHT_DIRECTIONAL;
-    light_position(value, light);
-    if (auto v = value.find("colour")) light.colour = v->colour();
-    if (auto v = value.find("attenuation")) light.attenuation = v->vec3();
-    if (auto v = value.find("outer_degrees")) light.outer_degrees = v->number_in(0.01, 90);
-    light.inner_degrees = 0.8f * light.outer_degrees;
-    if (auto v = value.find("inner_degrees"))
-        light.inner_degrees = v->number_in(0, light.outer_degrees);
-    if (auto v = value.find("shadow")) light.casts_shadow = v->boolean();
-    return light;
-}
-
-std::vector<Light> lights(const JsonValue& value) {
-    std::vector<Light> list;
-    for (const JsonValue& item : value.items()) list.push_back(light(item));
-    if (list.size() > RSH_MAX_LIGHTS)
-        value.fail(fmt::format("at most {} lights", RSH_MAX_LIGHTS));
-    return list;
 }
 
 uint32_t cut(const JsonValue& value) {
@@ -193,8 +143,8 @@ SceneDescription SceneSchema::scene(const JsonValue& value) const {
     if (auto v = value.find("description")) v->text();
     for (const JsonValue& item : value.member("meshes").items())
         scene.meshes.push_back(mesh(item));
-    if (auto v = value.find("camera")) scene.camera = camera(*v);
-    if (auto v = value.find("lights")) scene.lights = lights(*v);
+    if (auto v = value.find("camera")) scene.camera = scene_camera(*v);
+    if (auto v = value.find("lights")) scene.lights = scene_lights(*v);
     if (auto v = value.find("ambient")) scene.ambient = v->colour();
     if (auto v = value.find("environment")) scene.environment = environment(*v);
     if (auto v = value.find("settings")) scene.settings = settings(*v);

@@ -50,7 +50,7 @@ void World::load() {
     if (mesh_.triangles.empty())
         throw std::runtime_error("the scene has no triangle; at least one is required");
     choose_environment(scene_);
-    choose_lights_and_camera();
+    choose_lights_and_camera(0.0);
 }
 
 // A mesh on the command line is its own place, which its loader has named already.
@@ -123,7 +123,7 @@ void World::move_to(double time) {
         overwrite(i);
         moved_.push_back({first_vertices_[i], models_[i]->mesh.positions.size()});
     }
-    choose_lights_and_camera();
+    choose_lights_and_camera(time);
 }
 
 void World::choose_environment(const SceneDescription& scene) {
@@ -137,8 +137,9 @@ void World::choose_environment(const SceneDescription& scene) {
         environment_texture_ = 1 + textures_.add(scene.environment->image);
 }
 
-void World::choose_lights_and_camera() {
-    std::optional<Camera> camera = scene_.camera;
+void World::choose_lights_and_camera(double time) {
+    std::optional<Camera> camera;
+    if (scene_.camera) camera = camera_at(*scene_.camera, time);
     lights_.clear();
     for (const Model* model : models_) {
         if (!camera) camera = model->camera;
@@ -146,7 +147,7 @@ void World::choose_lights_and_camera() {
     }
     camera_ = camera ? *camera : camera_that_fits(mesh_);
     if (scene_.lights)
-        lights_ = *scene_.lights;
+        place_lights(time);
     else if (lights_.empty())
         lights_.push_back(light_over_shoulder(camera_));
     if (lights_.size() > RSH_MAX_LIGHTS)
@@ -154,16 +155,47 @@ void World::choose_lights_and_camera() {
                                              lights_.size(), RSH_MAX_LIGHTS));
 }
 
+void World::place_lights(double time) {
+    lights_.clear();
+    for (const SceneLight& light : *scene_.lights) lights_.push_back(light_at(light, time));
+}
+
 Interval World::time_span() const {
     std::optional<Interval> whole;
-    for (const Part& part : parts_) {
-        const auto span = part.time_span();
-        if (!span) continue;
-        if (!whole) whole = span;
-        whole->start = std::min(whole->start, span->start);
-        whole->end = std::max(whole->end, span->end);
-    }
+    const auto add = [&](double start, double end) {
+        if (!whole) whole = Interval{start, end};
+        whole->start = std::min(whole->start, start);
+        whole->end = std::max(whole->end, end);
+    };
+    const auto add_keys = [&](const auto& keys) {
+        if (!keys.empty()) add(keys.front().time, keys.back().time);
+    };
+    for (const Part& part : parts_)
+        if (const auto span = part.time_span()) add(span->start, span->end);
+    if (scene_.camera) add_keys(scene_.camera->keys);
+    if (scene_.lights)
+        for (const SceneLight& light : *scene_.lights) add_keys(light.keys);
     return whole.value_or(Interval{});
+}
+
+std::vector<std::string> World::warnings_at(double time) const {
+    std::vector<std::string> warnings;
+    const auto add = [&](const std::string& what, double start, double end) {
+        if (!(end > start) || (time >= start && time <= end)) return;
+        warnings.push_back(
+            fmt::format("{}: moves from {} s to {} s; at {} s it stands as at its {}", what,
+                        start, end, time, time < start ? "start" : "end"));
+    };
+    const auto add_keys = [&](const std::string& what, const auto& keys) {
+        if (!keys.empty()) add(what, keys.front().time, keys.back().time);
+    };
+    for (const Part& part : parts_)
+        if (const auto span = part.time_span(); span && !part.repeats())
+            add(part.entry().where, span->start, span->end);
+    if (scene_.camera) add_keys("camera", scene_.camera->keys);
+    for (size_t i = 0; scene_.lights && i < scene_.lights->size(); ++i)
+        add_keys(fmt::format("lights[{}]", i), (*scene_.lights)[i].keys);
+    return warnings;
 }
 
 int World::frames() const {

@@ -40,6 +40,8 @@ public:
     Interval time_span() const;  // from the first start to the last end of what moves
     int frames() const;          // of the animation with the most
     const std::vector<std::string>& warnings() const { return warnings_; }
+    // One for each thing that moves, but neither at that time nor again and again.
+    std::vector<std::string> warnings_at(double time) const;
 
 private:
     void load();
@@ -48,7 +50,8 @@ private:
     void append_materials(const Model& model, const MeshEntry& entry);
     void overwrite(size_t part);
     void choose_environment(const SceneDescription& scene);
-    void choose_lights_and_camera();
+    void choose_lights_and_camera(double time);
+    void place_lights(double time);  // those of the scene file
 
     SceneDescription scene_;
     std::vector<Part> parts_;
