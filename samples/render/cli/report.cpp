@@ -79,6 +79,7 @@ nlohmann::json frame_json(const FrameMeasure& frame) {
     const rsh_statistics& s = frame.statistics;
     return {{"time", frame.time},
             {"upload_ms", frame.upload_ms},
+            {"upload_bytes", frame.upload_bytes},
             {"total_ms", frame.total_ms},
             {"read_ms", frame.read_ms},
             {"stages_ms", stages_json(frame)},

@@ -59,34 +59,35 @@ void DeviceScene::find_features(const World& world, rsh_features without) {
 }
 
 template <typename T>
-void DeviceScene::update(const rsh::Buffer& buffer, const T* values, size_t first,
-                         size_t count) const {
+size_t DeviceScene::update(const rsh::Buffer& buffer, const T* values, size_t first,
+                           size_t count) const {
     rsh::check_opencl(
         clEnqueueWriteBuffer(device_.queue(), buffer.get(), CL_FALSE, first * sizeof(T),
                              count * sizeof(T), values + first, 0, nullptr, nullptr),
         "clEnqueueWriteBuffer");
+    return count * sizeof(T);
 }
 
-void DeviceScene::update(const World& world) {
+size_t DeviceScene::update(const World& world) {
     const Mesh& mesh = world.mesh();
-    for (const VertexRange& range : world.moved()) {
-        update(positions_, mesh.positions.data(), range.first, range.count);
-        if (!mesh.normals.empty())
-            update(normals_, mesh.normals.data(), range.first, range.count);
-    }
+    size_t bytes = 0;
+    for (const VertexRange& range : world.moved())
+        bytes += update(positions_, mesh.positions.data(), range.first, range.count);
+    for (const VertexRange& range : world.moved_normals())
+        bytes += update(normals_, mesh.normals.data(), range.first, range.count);
     if (world.has_turned_triangles())
-        update(indices_, mesh.triangles.data(), 0, mesh.triangles.size());
-    update_lights(world.lights());
+        bytes += update(indices_, mesh.triangles.data(), 0, mesh.triangles.size());
+    return bytes + update_lights(world.lights());
 }
 
-void DeviceScene::update_lights(const std::vector<Light>& lights) {
+size_t DeviceScene::update_lights(const std::vector<Light>& lights) {
     bool has_changed = false;
     for (size_t i = 0; i < host_lights_.size(); ++i) {
         const rsh_light now = device_light(lights.at(i));
         has_changed |= std::memcmp(&now, &host_lights_[i], sizeof now) != 0;
         host_lights_[i] = now;
     }
-    if (has_changed) update(lights_, host_lights_.data(), 0, host_lights_.size());
+    return has_changed ? update(lights_, host_lights_.data(), 0, host_lights_.size()) : 0;
 }
 
 }  // namespace render

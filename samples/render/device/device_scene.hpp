@@ -14,17 +14,17 @@ public:
     DeviceScene(const rsh::Device& device, const World& world, rsh_features without,
                 uint32_t cut);
 
-    // Uploads the vertices, normals and lights of World::moved(), and triangles that turned round.
-    // Allocates nothing.
-    void update(const World& world);
+    // Uploads the vertices and normals of World::moved(), lights if one has changed, and triangles
+    // that turned round. Allocates nothing. Returns the bytes.
+    size_t update(const World& world);
 
     const rsh_scene& scene() const { return scene_; }
 
 private:
-    // As many values as are there from `first` on; does not wait, so they must stay.
+    // Uploads values[first], ..., and returns their bytes; does not wait, so they must stay.
     template <typename T>
-    void update(const rsh::Buffer& buffer, const T* values, size_t first, size_t count) const;
-    void update_lights(const std::vector<Light>& lights);
+    size_t update(const rsh::Buffer& buffer, const T* values, size_t first, size_t count) const;
+    size_t update_lights(const std::vector<Light>& lights);
     void fill_geometry(const World& world);
     void fill_shading(const World& world);
     void find_features(const World& world, rsh_features without);

@@ -79,7 +79,7 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user,
     measure.time = time;
     Stopwatch watch;
     world_.move_to(time);
-    scene_.update(world_);
+    measure.upload_bytes = scene_.update(world_);
     rsh::check_opencl(clFinish(device_.queue()), "clFinish");
     measure.upload_ms = watch.lap();
 

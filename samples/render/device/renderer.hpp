@@ -27,8 +27,9 @@ struct RenderSettings {
 
 // Sums over the frame's strips.
 struct FrameMeasure {
-    double time = 0.0;       // of the animation [s]
-    double upload_ms = 0.0;  // host time: moving and uploading
+    double time = 0.0;        // of the animation [s]
+    double upload_ms = 0.0;   // host time: moving and uploading
+    size_t upload_bytes = 0;  // of vertices, normals and lights that moved
     double total_ms =
         0.0;  // host time: from the call of rsh_frame to the end of its last command
     double read_ms = 0.0;         // host time: reading the picture

@@ -95,6 +95,9 @@ public:
     int frames() const override { return span_.frames; }
     // Normals are computed anew if the mesh file has any.
     Model at(double time) const override;
+    std::vector<VertexRange> moving_vertices() const override {
+        return {{0, base_.model.mesh.positions.size()}};
+    }
 
 private:
     NumberedModel base_;

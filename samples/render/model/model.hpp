@@ -82,6 +82,26 @@ struct Model {
     std::vector<std::string> warnings;  // what the file promised and the model lacks
 };
 
+struct VertexRange {
+    size_t first = 0;
+    size_t count = 0;
+};
+
+// Ranges of all vertices that are marked, in ascending order. Short gaps are filled: to copy a few
+// vertices more is cheaper than to copy once more.
+inline std::vector<VertexRange> ranges_of(const std::vector<bool>& is_marked) {
+    constexpr size_t kShortGap = 256;
+    std::vector<VertexRange> ranges;
+    for (size_t i = 0; i < is_marked.size(); ++i) {
+        if (!is_marked[i]) continue;
+        const bool is_near =
+            !ranges.empty() && i - (ranges.back().first + ranges.back().count) <= kShortGap;
+        if (!is_near) ranges.push_back({i, 0});
+        ranges.back().count = i + 1 - ranges.back().first;
+    }
+    return ranges;
+}
+
 // A model that changes with time, its topology fixed.
 class Animation {
 public:
@@ -91,6 +111,8 @@ public:
     virtual double end() const = 0;
     virtual int frames() const = 0;
     virtual Model at(double time) const = 0;
+    // All others have their position and normal of the start at all times.
+    virtual std::vector<VertexRange> moving_vertices() const = 0;
 };
 
 }  // namespace render

@@ -115,12 +115,15 @@ bool mirrors(const glm::mat4& matrix) {
     return glm::determinant(linear_part(matrix)) < 0.0;
 }
 
-void place_mesh(const glm::mat4& matrix, const Mesh& rest, Mesh& placed) {
+void place_mesh(const glm::mat4& matrix, const Mesh& rest,
+                const std::vector<VertexRange>& vertices, Mesh& placed) {
     const glm::dmat3 for_normals = glm::transpose(glm::inverse(linear_part(matrix)));
-    for (size_t i = 0; i < rest.positions.size(); ++i)
-        placed.positions[i] = point(matrix, rest.positions[i]);
-    for (size_t i = 0; i < rest.normals.size(); ++i)
-        placed.normals[i] = unit_or_zero(for_normals * glm::dvec3(rest.normals[i]));
+    for (const VertexRange& range : vertices)
+        for (size_t i = range.first; i < range.first + range.count; ++i) {
+            placed.positions[i] = point(matrix, rest.positions[i]);
+            if (!rest.normals.empty())
+                placed.normals[i] = unit_or_zero(for_normals * glm::dvec3(rest.normals[i]));
+        }
 }
 
 void place_camera_and_lights(const glm::mat4& matrix, const Model& rest, Model& placed) {
@@ -175,7 +178,17 @@ Part::Part(MeshEntry entry) : entry_(std::move(entry)) {
     placed_ = rest_;
     placed_.mesh.origin = glm::dvec3(0.0);
     place_triangles();
-    place(0.0);
+    place(0.0, {{0, rest_.mesh.positions.size()}});
+    find_moving_vertices();
+}
+
+// Keys move all; and normals that are made of triangles may change beside what moves.
+void Part::find_moving_vertices() {
+    if (!moves() || rest_.mesh.positions.empty()) return;
+    if (entry_.keys.empty() && !entry_.is_smooth)
+        moving_ = animation_->moving_vertices();
+    else
+        moving_ = {{0, rest_.mesh.positions.size()}};
 }
 
 // The outside stays outside in a mirror: there, the corners run the other way round.
@@ -226,10 +239,10 @@ double Part::animation_time(double time) const {
     return start + (passed < 0.0 ? passed + length : passed);
 }
 
-void Part::place(double time) {
+void Part::place(double time, const std::vector<VertexRange>& vertices) {
     const glm::vec3 pivot = entry_.stand ? entry_.stand->at : glm::vec3(0.0f);
     const glm::mat4 matrix = motion_at(entry_.keys, time, pivot) * transform_;  // rounded once
-    place_mesh(matrix, rest_.mesh, placed_.mesh);
+    place_mesh(matrix, rest_.mesh, vertices, placed_.mesh);
     place_camera_and_lights(matrix, rest_, placed_);
 }
 
@@ -245,7 +258,7 @@ const Model& Part::at(double time) {
         rest_.lights = std::move(now.lights);
         rest_.camera = now.camera;
     }
-    place(time);
+    place(time, moving_);
     return placed_;
 }
 

@@ -21,6 +21,8 @@ public:
 
     // The whole model in world coordinates at `time` [s].
     const Model& at(double time);
+    // Of that model: all others are as they were. Empty if it stands still.
+    const std::vector<VertexRange>& moving_vertices() const { return moving_; }
     // Whether some triangles of that model are wound otherwise than in the one before it: an
     // animation has begun, or ceased, to mirror them.
     bool has_turned_triangles() const { return has_turned_triangles_; }
@@ -29,7 +31,8 @@ public:
 private:
     double animation_time(double time) const;
     void smooth();
-    void place(double time);
+    void find_moving_vertices();
+    void place(double time, const std::vector<VertexRange>& vertices);
     void place_triangles();
     void turn_triangles(const std::vector<glm::uvec3>& now);
 
@@ -41,6 +44,7 @@ private:
         uncut_;  // vertex of the file's mesh for each of `rest_`, if that is cut
     std::vector<glm::uvec3> animated_triangles_;  // as the animation wound them last
     bool has_turned_triangles_ = false;
+    std::vector<VertexRange> moving_;
     Model placed_;  // kept, so that a moving part reuses its memory
 };
 

@@ -104,9 +104,15 @@ void World::append_materials(const Model& model, const MeshEntry& entry) {
 void World::overwrite(size_t part) {
     const Mesh& mesh = models_[part]->mesh;
     const size_t first = first_vertices_[part];
-    std::copy(mesh.positions.begin(), mesh.positions.end(), &mesh_.positions[first]);
-    if (!mesh.normals.empty())
-        std::copy(mesh.normals.begin(), mesh.normals.end(), &mesh_.normals[first]);
+    for (const VertexRange& range : parts_[part].moving_vertices()) {
+        std::copy_n(&mesh.positions[range.first], range.count,
+                    &mesh_.positions[first + range.first]);
+        moved_.push_back({first + range.first, range.count});
+        if (mesh.normals.empty()) continue;
+        std::copy_n(&mesh.normals[range.first], range.count,
+                    &mesh_.normals[first + range.first]);
+        moved_normals_.push_back(moved_.back());
+    }
     if (!parts_[part].has_turned_triangles()) return;
     has_turned_triangles_ = true;
     for (size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -116,12 +122,12 @@ void World::overwrite(size_t part) {
 
 void World::move_to(double time) {
     moved_.clear();
+    moved_normals_.clear();
     has_turned_triangles_ = false;
     for (size_t i = 0; i < parts_.size(); ++i) {
         if (!parts_[i].moves()) continue;
         models_[i] = &parts_[i].at(time);
         overwrite(i);
-        moved_.push_back({first_vertices_[i], models_[i]->mesh.positions.size()});
     }
     choose_lights_and_camera(time);
 }

@@ -11,20 +11,17 @@
 
 namespace render {
 
-struct VertexRange {
-    size_t first = 0;
-    size_t count = 0;
-};
-
 class World {
 public:
     // Reads all files; throws std::runtime_error, with the warnings until then.
     explicit World(const SceneDescription& scene,
                    size_t max_texture_pixels = kMaxTexturePixels);
 
-    // Moves everything to a moment; moved() then says which vertices that concerned.
+    // Moves everything to a moment; moved() then says which vertices that may concern, and
+    // moved_normals() which of these have normals of their own.
     void move_to(double time);
     const std::vector<VertexRange>& moved() const { return moved_; }
+    const std::vector<VertexRange>& moved_normals() const { return moved_normals_; }
     // Whether mesh().triangles changed with it; their number and order never do.
     bool has_turned_triangles() const { return has_turned_triangles_; }
 
@@ -65,7 +62,7 @@ private:
     glm::vec3 ambient_{0.0f};
     glm::vec3 environment_{0.0f};
     uint32_t environment_texture_ = 0;
-    std::vector<VertexRange> moved_;
+    std::vector<VertexRange> moved_, moved_normals_;
     bool has_turned_triangles_ = false;
     std::vector<std::string> warnings_;
 };

@@ -57,6 +57,7 @@ public:
     int frames() const override { return scene_.frames; }
     // The materials hold the file's global ambient light: their ambient is meant for 1.
     Model at(double time) const override;
+    std::vector<VertexRange> moving_vertices() const override;
 
 private:
     // The nodes at one time.
@@ -151,6 +152,14 @@ void AffAnimation::place_camera(double time, Model& model) const {
     model.camera->eye = transform_point(matrix, glm::dvec3(0.0));
     model.camera->at = transform_point(matrix, glm::dvec3(0.0, 0.0, -1.0));
     model.camera->up = glm::dvec3(matrix[1]);
+}
+
+std::vector<VertexRange> AffAnimation::moving_vertices() const {
+    std::vector<bool> moves(scene_.vertex_nodes.size());
+    for (const uint32_t vertex : moving_) moves[vertex] = true;
+    for (const AffMorph& morph : scene_.morphs)
+        for (uint32_t i = 0; i < 3; ++i) moves[morph.first_vertex + i] = true;
+    return ranges_of(moves);
 }
 
 Model AffAnimation::at(double time) const {

@@ -24,6 +24,7 @@ public:
     double end() const override { return end_; }
     int frames() const override { return frames_; }
     Model at(double time) const override;
+    std::vector<VertexRange> moving_vertices() const override;
 
 private:
     void make_rest();
@@ -134,6 +135,14 @@ void GltfAnimation::place_lights_and_camera(const GltfPose& pose, Model& model) 
     model.camera->eye = eye;
     model.camera->at = eye + unit_or(-glm::dvec3(matrix[2]), {0.0, 0.0, -1.0});
     model.camera->up = unit_or(glm::dvec3(matrix[1]), {0.0, 1.0, 0.0});
+}
+
+std::vector<VertexRange> GltfAnimation::moving_vertices() const {
+    std::vector<bool> moves(rest_.mesh.positions.size());
+    for (const GltfPlacement& placement : moving_)
+        for (size_t i = 0; i < scene_.primitives[placement.primitive].positions.size(); ++i)
+            moves[placement.first_vertex + i] = true;
+    return ranges_of(moves);
 }
 
 Model GltfAnimation::at(double time) const {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cfloat>
+
 #include "import/gltf/gltf_material.hpp"
 
 namespace render {
@@ -23,6 +25,9 @@ public:
     GltfPrimitive read(GltfLeftOut& left_out) const {
         GltfPrimitive p;
         p.positions = vectors(primitive_.attributes, "POSITION", "attributes");
+        for (const glm::vec3& v : p.positions)
+            left_out.infinite +=
+                !(glm::all(glm::lessThanEqual(glm::abs(v), glm::vec3(FLT_MAX))));
         p.normals = vectors(primitive_.attributes, "NORMAL", "attributes");
         p.texcoords = texcoords();
         p.triangles = triangles();

@@ -8,7 +8,8 @@ namespace render {
 
 // What primitives have and the renderer does not know, of a whole file.
 struct GltfLeftOut {
-    size_t lines_or_points = 0, colours = 0, without_positions = 0, without_weight = 0;
+    size_t lines_or_points = 0, colours = 0, without_positions = 0;  // primitives
+    size_t without_weight = 0, infinite = 0;                         // vertices
 };
 
 // Nothing for points, lines and primitives without positions. `where`: "meshes[0].primitives[1]".

@@ -150,6 +150,10 @@ private:
         add(left_out_.lines_or_points, "primitives of points or lines were left out");
         add(left_out_.without_positions, "primitives without POSITION were left out");
         add(left_out_.colours, "primitives have a COLOR_0, which is ignored");
+        add(left_out_.infinite, "vertices have a coordinate that is no number or infinite");
+        if (triangles_ == 0)
+            document_.warnings.push_back(document_.location +
+                                         ": holds no triangle in its scene");
         add(left_out_.without_weight,
             "vertices have no weight in WEIGHTS_0; their first joint moves them");
     }

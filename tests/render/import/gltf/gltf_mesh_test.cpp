@@ -1,6 +1,8 @@
 // gltf_mesh_test.cpp - triangles and vertices of still glTF files, and how files hold their bytes.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "import/gltf/gltf_animation.hpp"
 #include "import/gltf/gltf_builder.hpp"
 #include "temporary_folder.hpp"
@@ -201,6 +203,15 @@ TEST(GltfMesh, BytesLieInTheTextBesideItInAChunkOrInAnArchive) {
     const std::string archive = folder.write_tar_xz(
         "c.tar.xz", {{"m/b.gltf", beside.dump()}, {"m/some bytes.bin", bytes}});
     EXPECT_EQ(load_gltf(archive + ":m/b.gltf")->at(0).mesh.positions, expected);
+}
+
+TEST(GltfMesh, WhatIsNotThereIsAWarning) {
+    GltfBuilder file;
+    file.json["nodes"].push_back(nlohmann::json::object());
+    expect_warning(load(file), "holds no triangle");
+    file.add_mesh(
+        {{"attributes", {{"POSITION", file.floats("VEC3", {0, 0, 0, NAN, 0, 0, 0, 1, 0})}}}});
+    expect_warning(load(file), "1 vertices have a coordinate that is no number");
 }
 
 TEST(GltfMesh, WhatIsLeftOutIsAWarning) {

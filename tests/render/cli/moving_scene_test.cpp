@@ -1,0 +1,87 @@
+// moving_scene_test.cpp - what rsh-render does for the second frame and later ones: it uploads what moved,
+// and makes and compiles nothing.
+#include <gtest/gtest.h>
+#include <rsh/rsh_types.h>
+
+#include "import/gltf/gltf_builder.hpp"
+#include "program.hpp"
+#include "temporary_folder.hpp"
+
+namespace render {
+namespace {
+
+class RenderMovingScene : public testing::Test {
+protected:
+    // A room, a triangle of a glTF file that moves, and as many that do not as make a gap.
+    RenderMovingScene() {
+        GltfBuilder file;
+        for (int i = 0; i < 201; ++i) file.add_triangle();
+        for (size_t i = 0; i < 201; ++i)
+            file.json["nodes"][i]["translation"] = {0.01 * i, 1, 1};
+        file.animate(100, "translation", "LINEAR", {0, 1},
+                     file.floats("VEC3", {0, 1, 2, 1, 1, 2}));
+        folder_.write("a.glb", file.binary());
+    }
+    std::string scene(const std::string& members) const {
+        return folder_.write(
+                   "scene.json",
+                   R"({"meshes": [{"generator": "room", "triangles": 1500, "mirror": "none",
+                                             "glass": false}, {"file": "a.glb"}])" +
+                       members + "}") +
+               " --size 32x32 --bounces 1 ";
+    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+
+    std::vector<size_t> uploads(const std::string& members) const {
+        const Ended ended = run(scene(members) + " --frames 4 --json " + path("a.json"));
+        EXPECT_EQ(ended.status, 0) << ended.printed;
+        std::vector<size_t> bytes;
+        const auto report = nlohmann::json::parse(content(path("a.json")));
+        for (const auto& frame : report.at("frames")) bytes.push_back(frame.at("upload_bytes"));
+        return bytes;
+    }
+
+    TemporaryFolder folder_;
+};
+
+// Three corners without normals.
+constexpr size_t kTriangleBytes = 3 * 12;
+constexpr size_t kLightBytes = sizeof(rsh_light);
+
+TEST_F(RenderMovingScene, UploadsWhatMoved) {
+    // The light over the camera's shoulder, which stays there.
+    EXPECT_EQ(uploads(""), (std::vector<size_t>(4, kTriangleBytes)));
+}
+
+TEST_F(RenderMovingScene, UploadsLightsThatChange) {
+    const std::string light = R"(, "lights": [{"kind": "point", "position": [0, 3, 0]},
+        {"kind": "point", "position": [0, 2, 0], "keys": [{"time": 0}, {"time": 0.5, "colour": 2}]}])";
+    // Frames at 0, 1/3, 2/3 and 1 s. Two frames at the start go before those that count.
+    EXPECT_EQ(uploads(light),
+              (std::vector<size_t>{kTriangleBytes, kTriangleBytes + 2 * kLightBytes,
+                                   kTriangleBytes + 2 * kLightBytes, kTriangleBytes}));
+}
+
+// As tests/support/layers/counts.cpp counts, once a first run has filled the cache of programs. The second
+// frame is the first one that refits, by two kernels of programs that are there.
+TEST_F(RenderMovingScene, AllocatesAndCompilesNothingAfterTheFirstFrame) {
+    const std::string light = R"(, "lights": [{"kind": "point", "position": [0, 3, 0],
+        "keys": [{"time": 0}, {"time": 1, "position": [1, 3, 0]}]}])";
+    const auto counts = [&](const std::string& frames) {
+        const Ended ended =
+            run(scene(light) + " --frames " + frames + " --out " + path("%d.png"),
+                "env OPENCL_LAYERS='" RSH_COUNTS_LAYER "' RSH_COUNTS='" + path("counts.json") +
+                    "'");
+        EXPECT_EQ(ended.status, 0) << ended.printed;
+        return nlohmann::json::parse(content(path("counts.json")));
+    };
+    counts("1");
+    const auto one = counts("1"), two = counts("2"), seven = counts("7");
+    for (const char* word : {"buffers", "bytes_peak", "compiles", "binary_builds"})
+        EXPECT_EQ(one.at(word), seven.at(word)) << word;
+    EXPECT_EQ(two.at("kernels"), seven.at("kernels"));
+    EXPECT_GT(seven.at("launches"), two.at("launches"));
+}
+
+}  // namespace
+}  // namespace render
