@@ -12,7 +12,8 @@ render=$1
 folder=$2
 picture=$(mktemp -d) || exit 2
 trap 'rm -rf "$picture"' EXIT
-find "$folder" -type f \( -name '*.obj' -o -name '*.off' -o -name '*.ply' -o -name '*.stl' -o -name '*.om' \) |
+find "$folder" -type f \( -name '*.obj' -o -name '*.off' -o -name '*.ply' -o -name '*.stl' -o -name '*.om' \
+    -o -name '*.gltf' -o -name '*.glb' \) |
     sort >"$picture/list"
 failures=0
 while IFS= read -r mesh; do

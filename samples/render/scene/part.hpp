@@ -17,7 +17,7 @@ public:
     bool moves() const { return animation_ || !entry_.keys.empty(); }
     std::optional<Interval> time_span() const;  // none when it stands still
     int frames() const;                         // as the animation was made; 1 when it has none
-    bool repeats() const { return animation_ && entry_.repeats && entry_.keys.empty(); }
+    bool repeats() const { return animation_ && entry_.repeats; }
 
     // The whole model in world coordinates at `time` [s].
     const Model& at(double time);

@@ -45,9 +45,10 @@ private:
         set_path(channel.target_path, where + ".target", c);
         const auto& sampler = animation_.samplers[static_cast<size_t>(channel.sampler)];
         const std::string place = fmt::format("{}.samplers[{}]", where_, channel.sampler);
-        c.way = sampler.interpolation == "STEP"          ? GltfWay::step
-                : sampler.interpolation == "CUBICSPLINE" ? GltfWay::cubic_spline
-                                                         : GltfWay::linear;
+        c.interpolation = sampler.interpolation == "STEP" ? GltfInterpolation::step
+                          : sampler.interpolation == "CUBICSPLINE"
+                              ? GltfInterpolation::cubic_spline
+                              : GltfInterpolation::linear;
         read_times(sampler.input, place + ".input", c);
         read_values(sampler.output, place + ".output", c);
         return c;
@@ -87,8 +88,8 @@ private:
 
     void read_values(int output, const std::string& where, GltfCurve& c) const {
         const bool is_scalar = c.path == GltfPath::weights;
-        const size_t per_time =
-            (c.way == GltfWay::cubic_spline ? 3 : 1) * (is_scalar ? c.width : size_t{1});
+        const size_t per_time = (c.interpolation == GltfInterpolation::cubic_spline ? 3 : 1) *
+                                (is_scalar ? c.width : size_t{1});
         if (const size_t count = accessors_.count(output); count != per_time * c.times.size())
             accessors_.fail(where,
                             fmt::format("accessors[{}] has {} elements, must have {} for "

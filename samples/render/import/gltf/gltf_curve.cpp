@@ -26,7 +26,7 @@ Place place_of(const std::vector<float>& times, double time) {
 
 // Of a cubic spline, `part` is 0 for the tangent before, 1 for the value, 2 for the tangent after.
 double component(const GltfCurve& curve, size_t key, size_t i, size_t part = 1) {
-    const bool is_cubic = curve.way == GltfWay::cubic_spline;
+    const bool is_cubic = curve.interpolation == GltfInterpolation::cubic_spline;
     return curve.values[(is_cubic ? 3 * key + part : key) * curve.width + i];
 }
 
@@ -56,14 +56,14 @@ std::vector<double> numbers(const glm::dquat& q) {
 
 std::vector<double> value_at(const GltfCurve& curve, double time) {
     Place place = place_of(curve.times, time);
-    if (curve.way == GltfWay::step) place.u = 0.0;
+    if (curve.interpolation == GltfInterpolation::step) place.u = 0.0;
     const bool is_rotation = curve.path == GltfPath::rotation;
-    if (is_rotation && curve.way != GltfWay::cubic_spline)
+    if (is_rotation && curve.interpolation != GltfInterpolation::cubic_spline)
         return numbers(
             glm::slerp(quaternion(curve, place.low), quaternion(curve, place.high), place.u));
     std::vector<double> value(curve.width);
     for (size_t i = 0; i < curve.width; ++i)
-        value[i] = curve.way == GltfWay::cubic_spline
+        value[i] = curve.interpolation == GltfInterpolation::cubic_spline
                        ? cubic(curve, place, i)
                        : glm::mix(component(curve, place.low, i),
                                   component(curve, place.high, i), place.u);

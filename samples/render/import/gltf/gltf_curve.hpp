@@ -8,12 +8,12 @@
 namespace render {
 
 enum class GltfPath { translation, rotation, scale, weights };
-enum class GltfWay { step, linear, cubic_spline };
+enum class GltfInterpolation { step, linear, cubic_spline };
 
 struct GltfCurve {
     uint32_t node = 0;
     GltfPath path = GltfPath::translation;
-    GltfWay way = GltfWay::linear;
+    GltfInterpolation interpolation = GltfInterpolation::linear;
     size_t width = 3;          // numbers of a value; of a rotation x, y, z, w
     std::vector<float> times;  // at least one, ascending [s]
     // A value per time; of a cubic spline three: the tangent before, the value, the tangent after.

@@ -54,7 +54,7 @@ void check_version(const JsonValue& document) {
         asset.member("version").fail("\"2.0\", or a later one that begins with 2");
 }
 
-// Of the file and its JSON, which tinygltf cannot name.
+// What tinygltf reads without asking, or refuses without naming the member.
 void check(const GltfContainer& container, const std::string& location,
            std::vector<std::string>& warnings) {
     const nlohmann::json json = parse_json(container.json, location);
