@@ -62,6 +62,25 @@ TEST_F(RenderMovingScene, UploadsLightsThatChange) {
                                    kTriangleBytes + 2 * kLightBytes, kTriangleBytes}));
 }
 
+TEST_F(RenderMovingScene, SaysThatATimeIsOutsideOfTheClip) {
+    const auto printed = [&](const std::string& members, const std::string& time) {
+        const Ended ended = run(scene(members) + " --out " + path("a.png") + " --time " + time);
+        EXPECT_EQ(ended.status, 0) << ended.printed;
+        return ended.printed;
+    };
+    EXPECT_EQ(printed("", "0.5"), "");
+    const std::string outside = printed("", "2.5");
+    EXPECT_NE(outside.find("warning: --time: "), std::string::npos) << outside;
+    EXPECT_NE(
+        outside.find("meshes[1]: moves from 0 s to 1 s; at 2.5 s it stands as at its end"),
+        std::string::npos)
+        << outside;
+    const std::string clamped = content(path("a.png"));
+    printed("", "1");
+    EXPECT_TRUE(content(path("a.png")) == clamped) << "is not the picture of the end";
+    EXPECT_EQ(printed(R"(, "settings": {"time": [0, 9]})", "2.5"), "") << "is meant";
+}
+
 // As tests/support/layers/counts.cpp counts, once a first run has filled the cache of programs. The second
 // frame is the first one that refits, by two kernels of programs that are there.
 TEST_F(RenderMovingScene, AllocatesAndCompilesNothingAfterTheFirstFrame) {

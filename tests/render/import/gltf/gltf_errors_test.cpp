@@ -250,7 +250,7 @@ TEST(GltfErrors, ContainersPromiseWhatTheyHold) {
         return error_of("a.glb", changed);
     };
     const size_t json_end =
-        20 + nlohmann::json::parse(glb.substr(20, glb.rfind("}") - 19)).dump().size();
+        20 + nlohmann::json::parse(glb.substr(20, glb.rfind('}') - 19)).dump().size();
     const size_t binary = (json_end + 3) / 4 * 4;
     expect_parts(with(4, 1), {"a.glb: ", "version", "is 1", "must be 2"});
     expect_parts(with(8, 12), {"promises 12 bytes", std::to_string(glb.size())});
