@@ -151,11 +151,11 @@ private:
         add(left_out_.without_positions, "primitives without POSITION were left out");
         add(left_out_.colours, "primitives have a COLOR_0, which is ignored");
         add(left_out_.infinite, "vertices have a coordinate that is no number or infinite");
+        add(left_out_.without_weight,
+            "vertices have no weight in WEIGHTS_0; their first joint moves them");
         if (triangles_ == 0)
             document_.warnings.push_back(document_.location +
                                          ": holds no triangle in its scene");
-        add(left_out_.without_weight,
-            "vertices have no weight in WEIGHTS_0; their first joint moves them");
     }
 
     GltfDocument& document_;
