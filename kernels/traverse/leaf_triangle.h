@@ -7,15 +7,15 @@
 #include "mesh/intersect.h"
 
 typedef struct leaf_triangle {
-    float at[12]; /* x y z of three corners in order, then padding that is never read */
-    float scale;  /* see triangle_scale */
+    __global const float* at; /* x y z of three corners in order, 16 floats apart */
+    float scale;              /* see triangle_scale */
     uint index, places;
 } leaf_triangle;
 
-static float scale_of(const float* at)
+static float scale_of(__global const float* at)
 {
     floatv corner[9];
-    for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[i]);
+    for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[16 * i]);
     const floatv scale = triangle_scale(corner);
     return ((const float*)&scale)[0];
 }
@@ -25,7 +25,7 @@ static leaf_triangle leaf_triangle_at(__global const float* leaf, uint k, bool i
 {
     const uint word = as_uint(leaf[RSH_TRIANGLES_AT + k]);
     leaf_triangle triangle;
-    for (uint i = 0; i < 9; ++i) triangle.at[i] = leaf[16 * i + k];
+    triangle.at = leaf + k;
     triangle.scale = is_scaled ? scale_of(triangle.at) : 1.0f;
     triangle.index = RSH_TRIANGLE_INDEX(word);
     triangle.places = RSH_TRIANGLE_PLACES(word);

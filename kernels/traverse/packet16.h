@@ -150,20 +150,21 @@ static uint rays_meeting(const ray_packet* packet, const int* sign, const float*
 static float lane_of(const floatv* v, uint k) { return ((const float*)v)[k]; }
 
 /* to_ray_space of mesh/intersect.h, where all rays share kz: nothing to select. */
-#define RSH_TO_RAY_SPACE(axis_x, axis_y, axis_z, ox, oy, oz)       \
-    do {                                                           \
-        s.az = (floatv)(at[axis_z]) - oz;                          \
-        s.bz = (floatv)(at[3 + axis_z]) - oz;                      \
-        s.cz = (floatv)(at[6 + axis_z]) - oz;                      \
-        s.ax = ((floatv)(at[axis_x]) - ox) - r.slope_x * s.az;     \
-        s.bx = ((floatv)(at[3 + axis_x]) - ox) - r.slope_x * s.bz; \
-        s.cx = ((floatv)(at[6 + axis_x]) - ox) - r.slope_x * s.cz; \
-        s.ay = ((floatv)(at[axis_y]) - oy) - r.slope_y * s.az;     \
-        s.by = ((floatv)(at[3 + axis_y]) - oy) - r.slope_y * s.bz; \
-        s.cy = ((floatv)(at[6 + axis_y]) - oy) - r.slope_y * s.cz; \
+#define RSH_TO_RAY_SPACE(axis_x, axis_y, axis_z, ox, oy, oz)              \
+    do {                                                                  \
+        s.az = (floatv)(at[16 * (axis_z)]) - oz;                          \
+        s.bz = (floatv)(at[16 * (3 + axis_z)]) - oz;                      \
+        s.cz = (floatv)(at[16 * (6 + axis_z)]) - oz;                      \
+        s.ax = ((floatv)(at[16 * (axis_x)]) - ox) - r.slope_x * s.az;     \
+        s.bx = ((floatv)(at[16 * (3 + axis_x)]) - ox) - r.slope_x * s.bz; \
+        s.cx = ((floatv)(at[16 * (6 + axis_x)]) - ox) - r.slope_x * s.cz; \
+        s.ay = ((floatv)(at[16 * (axis_y)]) - oy) - r.slope_y * s.az;     \
+        s.by = ((floatv)(at[16 * (3 + axis_y)]) - oy) - r.slope_y * s.bz; \
+        s.cy = ((floatv)(at[16 * (6 + axis_y)]) - oy) - r.slope_y * s.cz; \
     } while (0)
 
-static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const float* at)
+static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis,
+                                               __global const float* at)
 {
     ray_space_corners s;
     if (axis == 0) {
@@ -174,7 +175,7 @@ static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const 
         RSH_TO_RAY_SPACE(0, 1, 2, r.origin_x, r.origin_y, r.origin_z);
     } else {
         floatv corner[9];
-        for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[i]);
+        for (uint i = 0; i < 9; ++i) corner[i] = (floatv)(at[16 * i]);
         s = to_ray_space(r, corner);
     }
     return s;
@@ -182,10 +183,13 @@ static ray_space_corners triangle_to_ray_space(sheared_rays r, uint axis, const 
 
 /* Hits without those that mesh/leaving.h says are none, of the lanes whose hit may be doubtful,
  * a bit each. */
-RSH_CALLED static intv without_separated(const ray_packet* packet, uint v, const float* at,
-                                         intv is_hit, floatv t, uint near)
+RSH_CALLED static intv without_separated(const ray_packet* packet, uint v,
+                                         __global const float* at, intv is_hit, floatv t,
+                                         uint near)
 {
-    const triangle_points points = {vload3(0, at), vload3(1, at), vload3(2, at)};
+    const triangle_points points = {(float3)(at[0], at[16], at[32]),
+                                    (float3)(at[48], at[64], at[80]),
+                                    (float3)(at[96], at[112], at[128])};
     const floatv limit =
         (floatv)(RSH_DOUBTFUL_DEPTH * triangle_extent(points)) * fabs(packet->ray[v].inverse_z);
     uint separated = 0;
@@ -198,7 +202,7 @@ RSH_CALLED static intv without_separated(const ray_packet* packet, uint v, const
 }
 
 /* Hits with a triangle that the rays have not left. */
-RSH_CALLED static intv without_left(const ray_packet* packet, uint v, const float* at,
+RSH_CALLED static intv without_left(const ray_packet* packet, uint v, __global const float* at,
                                     uint triangle, intv is_hit, floatv t)
 {
     const uintv skip = packet->skip[v];

@@ -33,12 +33,15 @@ RSH_CALLED static void load_leaf(const traversal_state* state, const bvh_child* 
 }
 
 RSH_CALLED static void intersect_triangle(traversal_state* state, const loaded_leaf* leaf,
-                                          uint k, uint b)
+                                          uint k, uint blocks)
 {
     const leaf_triangle triangle = leaf_triangle_at(leaf->corners, k, leaf->is_scaled);
-    count_for_blocks(state, &state->ray_tests, 1u << b, 1);
-    if (intersect_packet(packet_of(state, b), &triangle, state->is_any) && !RSH_ALL_HITS)
-        lower_block_limit(state, b);
+    for (; blocks; blocks &= blocks - 1) {
+        const uint b = lowest_bit(blocks);
+        count_for_blocks(state, &state->ray_tests, 1u << b, 1);
+        if (intersect_packet(packet_of(state, b), &triangle, state->is_any))
+            lower_block_limit(state, b);
+    }
 }
 
 RSH_CALLED static void intersect_by_rays(traversal_state* state, const loaded_leaf* leaf,
@@ -78,7 +81,7 @@ RSH_CALLED static void intersect_loaded_leaf(traversal_state* state, const loade
         }
     }
     for (; triangles; triangles &= triangles - 1)
-        intersect_triangle(state, leaf, lowest_bit(triangles), b);
+        intersect_triangle(state, leaf, lowest_bit(triangles), 1u << b);
 }
 
 static void intersect_leaf_by_block(traversal_state* state, uint b, const int* sign,
@@ -111,8 +114,8 @@ static void intersect_leaf_by_blocks(traversal_state* state, const interval_pack
             high[axis] = lane_of(leaf.boxes.high[axis], k);
         }
         count_for_blocks(state, &state->node_tests, blocks, 1);
-        uint met = packets_meeting(&state->blocks, common, low, high) & blocks;
-        for (; met; met &= met - 1) intersect_triangle(state, &leaf, k, lowest_bit(met));
+        const uint met = packets_meeting(&state->blocks, common, low, high) & blocks;
+        intersect_triangle(state, &leaf, k, met);
     }
 }
 

@@ -61,10 +61,9 @@ static void count_for_ray(traversal_state* state, ulong* tests, uint b, uint k)
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
 static bool is_single(uint bits) { return (bits & (bits - 1)) == 0; }
 
-RSH_CALLED static ray_packet* packet_of(traversal_state* state, uint b)
+RSH_CALLED static void load_packet_of(traversal_state* state, uint b)
 {
     ray_packet* packet = &state->packet[b];
-    if (state->loaded >> b & 1) return packet;
     load_packet(packet, &state->tile, b, state->rays, state->scene_size);
 #if RSH_ALL_HITS
     packet->list = &state->list;
@@ -74,7 +73,12 @@ RSH_CALLED static ray_packet* packet_of(traversal_state* state, uint b)
             slab_of(state->nodes[16 * axis + b], state->nodes[48 + 16 * axis + b],
                     state->nodes[96 + 16 * axis + b], state->nodes[144 + 16 * axis + b]);
     state->loaded |= 1u << b;
-    return packet;
+}
+
+static ray_packet* packet_of(traversal_state* state, uint b)
+{
+    if (!(state->loaded >> b & 1)) load_packet_of(state, b);
+    return &state->packet[b];
 }
 
 /* The block as an interval packet; to be used at once, as its limit changes with each hit. */
@@ -88,6 +92,7 @@ static const interval_packet* interval_packet_of_block(traversal_state* state, u
 /* After a ray of the block found a closer hit. */
 static void lower_block_limit(traversal_state* state, uint b)
 {
+    if (RSH_ALL_HITS) return; /* no hit ends a ray */
     const float limit = packet_limit(&state->packet[b]);
     if (!state->is_converging || limit < 0.0f) ((float*)state->blocks.limit)[b] = limit;
 }
