@@ -24,10 +24,6 @@
 
 #include "mesh/intersect.h"
 
-#ifndef RSH_ALL_HITS
-#define RSH_ALL_HITS 0 /* 1: a program for all hits of a ray */
-#endif
-
 #if RSH_ALL_HITS
 
 #define RSH_SURE_EDGE 0x1p-100f
@@ -160,8 +156,8 @@ static bool settle_lane(const flat_triangle* at, float* edge)
 }
 
 /* Which of the doubtful lanes, a bit each, are crossed. */
-static __attribute__((noinline)) uint settle_lanes(const ray_space_corners* s, uint doubtful,
-                                                   floatv* edge)
+static __attribute__((noinline)) uint settle_each(const ray_space_corners* s, uint doubtful,
+                                                  floatv* edge)
 {
     uint crossed = 0;
     for (; doubtful; doubtful &= doubtful - 1) {
@@ -176,23 +172,53 @@ static __attribute__((noinline)) uint settle_lanes(const ray_space_corners* s, u
     return crossed;
 }
 
-/* Where the rays cross triangles that are in ray space, scaled; given: the same before scaling. */
+/* The same. Few lanes are doubtful: only here need corners and edge values be in memory. */
+static uint settle_lanes(const ray_space_corners* s, uint doubtful, floatv* edge)
+{
+    const ray_space_corners given = *s;
+    floatv of[3] = {edge[0], edge[1], edge[2]};
+    const uint crossed = settle_each(&given, doubtful, of);
+    edge[0] = of[0], edge[1] = of[1], edge[2] = of[2];
+    return crossed;
+}
+
+/* Which of the rays' lines cross their triangles, a mask; edge: U, V, W. given: the triangles before
+ * scaling. */
+static intv find_crossings(const ray_space_corners* s, const ray_space_corners* given,
+                           floatv* edge)
+{
+    const floatv sure = (floatv)(RSH_SURE_EDGE);
+    edge[0] = difference_of_products(s->cx, s->by, s->cy, s->bx);
+    edge[1] = difference_of_products(s->ax, s->cy, s->ay, s->cx);
+    edge[2] = difference_of_products(s->bx, s->ay, s->by, s->ax);
+    const intv may_be = ((edge[0] >= -sure) & (edge[1] >= -sure) & (edge[2] >= -sure)) |
+                        ((edge[0] <= sure) & (edge[1] <= sure) & (edge[2] <= sure));
+    const uint doubtful = RSH_LANE_BITS(
+        may_be & ((fabs(edge[0]) <= sure) | (fabs(edge[1]) <= sure) | (fabs(edge[2]) <= sure)));
+    if (!doubtful) return may_be;
+    return may_be & ~mask_of_bits(doubtful & ~settle_lanes(given, doubtful, edge));
+}
+
+/* Where the rays cross triangles that are in ray space, scaled; given: the same before scaling. Without a
+ * branch, see intersect_unbranched. */
+static lane_hits cross_unbranched(sheared_rays r, ray_space_corners s,
+                                  const ray_space_corners* given)
+{
+    lane_hits hits;
+    floatv edge[3];
+    hits.is_hit = find_crossings(&s, given, edge);
+    place_hits(r, &s, edge, edge[0] + edge[1] + edge[2], &hits);
+    return hits;
+}
+
 static lane_hits cross_sheared(sheared_rays r, ray_space_corners s,
                                const ray_space_corners* given)
 {
     lane_hits hits;
-    const floatv zero = (floatv)(0.0f), sure = (floatv)(RSH_SURE_EDGE);
-    floatv edge[3] = {difference_of_products(s.cx, s.by, s.cy, s.bx),
-                      difference_of_products(s.ax, s.cy, s.ay, s.cx),
-                      difference_of_products(s.bx, s.ay, s.by, s.ax)};
-    hits.is_hit = ((edge[0] >= -sure) & (edge[1] >= -sure) & (edge[2] >= -sure)) |
-                  ((edge[0] <= sure) & (edge[1] <= sure) & (edge[2] <= sure));
-    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = zero;
+    floatv edge[3];
+    hits.is_hit = find_crossings(&s, given, edge);
+    hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = (floatv)(0.0f);
     if (!any_lane(hits.is_hit)) return hits;
-    const uint doubtful =
-        RSH_LANE_BITS(hits.is_hit & ((fabs(edge[0]) <= sure) | (fabs(edge[1]) <= sure) |
-                                     (fabs(edge[2]) <= sure)));
-    if (doubtful) hits.is_hit &= ~mask_of_bits(doubtful & ~settle_lanes(given, doubtful, edge));
     place_hits(r, &s, edge, edge[0] + edge[1] + edge[2], &hits);
     return hits;
 }

@@ -44,6 +44,10 @@
 #include "mesh/corner_order.h"
 #include "mesh/filter.h"
 
+#ifndef RSH_ALL_HITS
+#define RSH_ALL_HITS 0 /* 1: a program for all hits of a ray */
+#endif
+
 /* Rays, sheared. kz: axis of the largest direction component; x, y: the next two,
  * cyclically. */
 typedef struct sheared_rays {

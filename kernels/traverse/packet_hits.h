@@ -43,31 +43,28 @@ static void list_packet_hits(ray_packet* packet, uint v, const leaf_triangle* tr
     }
 }
 
-/* True if a ray has more hits now. */
+/* True: a ray may have more hits now. Without branches, as every other triangle is hit. is_any: no hit
+ * ends a ray. */
 static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, bool is_any)
 {
-    (void)is_any; /* no hit ends a ray */
-    bool changed = false;
+    (void)is_any;
     for_each_vector(v) {
         const sheared_rays r = packet->ray[v];
         const ray_space_corners given = triangle_to_ray_space(r, packet->axis, triangle->at);
         ray_space_corners scaled = given;
         if (triangle->scale != 1.0f) scale_across(&scaled, (floatv)(triangle->scale));
-        lane_hits hits = cross_sheared(r, scaled, &given);
-        if (!any_lane(hits.is_hit)) continue;
+        lane_hits hits = cross_unbranched(r, scaled, &given);
 #if RSH_FILTER
         hits.is_hit = without_unseen(packet, v, triangle, &hits, hits.is_hit);
 #endif
         if (packet->left)
             hits.is_hit =
                 without_left(packet, v, triangle->at, triangle->index, hits.is_hit, hits.t);
-        const uint met = RSH_LANE_BITS(hits.is_hit);
-        if (!met) continue;
-        if (packet->list->records) list_packet_hits(packet, v, triangle, &hits, met);
+        const uint met = packet->list->records ? RSH_LANE_BITS(hits.is_hit) : 0;
+        if (met) list_packet_hits(packet, v, triangle, &hits, met);
         packet->count[v] += select((uintv)(0u), (uintv)(1u), as_uintv(hits.is_hit));
-        changed = true;
     }
-    return changed;
+    return true;
 }
 
 #else

@@ -74,7 +74,7 @@ RSH_CALLED static void visit_box(traversal_state* state, tile_packet* packet,
             visit_box_by_block(state, &block, box);
             traverse_block(state, &block, bottom);
         }
-    lower_limit(state, packet);
+    if (!RSH_ALL_HITS) lower_limit(state, packet); /* else no hit ends a ray */
 }
 
 RSH_CALLED static void traverse(traversal_state* state, uint blocks,
