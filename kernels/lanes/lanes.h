@@ -89,11 +89,18 @@ typedef uintv __attribute__((aligned(4))) uintv_anywhere;
 #define RSH_EXPECT_STORE(at) __builtin_prefetch((const void*)(ulong)(at), 1)
 #define RSH_EXPECT_LOAD(at) __builtin_prefetch((const void*)(ulong)(at), 0)
 #endif
+#if RSH_WIDTH > 1 && __has_builtin(__builtin_nontemporal_store)
+/* Stores a vector, where it is aligned, past the caches: what was there is not read from memory first. */
+#define RSH_STORE_PAST_CACHES(value, at) __builtin_nontemporal_store(value, at)
+#endif
 #if RSH_WIDTH == 16 && __has_builtin(__builtin_ia32_cvtd2mask512) && defined(__AVX512DQ__)
 #define RSH_LANE_BITS(mask) ((uint)(ushort)__builtin_ia32_cvtd2mask512(mask))
 #elif RSH_WIDTH == 8 && __has_builtin(__builtin_ia32_movmskps256) && defined(__AVX__)
 #define RSH_LANE_BITS(mask) ((uint)__builtin_ia32_movmskps256(as_float8(mask)))
 #endif
+#endif
+#ifndef RSH_STORE_PAST_CACHES
+#define RSH_STORE_PAST_CACHES(value, at) (*(at) = (value))
 #endif
 #ifndef RSH_EXPECT_LOAD
 #define RSH_EXPECT_STORE(at) (void)(at)

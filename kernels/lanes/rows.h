@@ -83,24 +83,27 @@ RSH_CALLED static void load_rows3(__global const float* base, uint stride, const
 #undef RSH_AT
 }
 
-/* Of the lanes in `bits`, row[0 .. 3] to base[stride * index]. */
-RSH_CALLED static void store_rows4(const floatv* row, uint bits, __global float* base,
-                                   uint stride, const uint* index)
-{
-#define RSH_STORE(point, k) \
+#define RSH_STORE_AT(point, k) \
     if (bits >> (k)&1) vstore4(point, 0, base + (ulong)stride * index[k]);
 #if RSH_WIDTH == 1
-    RSH_STORE((float4)(row[0], row[1], row[2], row[3]), 0)
+#define RSH_STORE_ALL_ROWS(row) RSH_STORE_AT((float4)(row[0], row[1], row[2], row[3]), 0)
 #else
-    floatv points[4] = {row[0], row[1], row[2], row[3]};
-    transpose_rows(points);
-    RSH_STORE_FOURS(RSH_STORE, points[0], 0)
-    RSH_STORE_FOURS(RSH_STORE, points[1], 1)
-    RSH_STORE_FOURS(RSH_STORE, points[2], 2)
-    RSH_STORE_FOURS(RSH_STORE, points[3], 3)
+#define RSH_STORE_ALL_ROWS(row)                          \
+    floatv points[4] = {row[0], row[1], row[2], row[3]}; \
+    transpose_rows(points);                              \
+    RSH_STORE_FOURS(RSH_STORE_AT, points[0], 0)          \
+    RSH_STORE_FOURS(RSH_STORE_AT, points[1], 1)          \
+    RSH_STORE_FOURS(RSH_STORE_AT, points[2], 2)          \
+    RSH_STORE_FOURS(RSH_STORE_AT, points[3], 3)
 #endif
-#undef RSH_STORE
-}
+/* Defines a function that stores, of the lanes in `bits`, row[0 .. 3] to base[stride * index]. */
+#define RSH_DEFINE_STORE_ROWS4(name, SPACE)                                                   \
+    RSH_CALLED static void name(const floatv* row, uint bits, SPACE float* base, uint stride, \
+                                const uint* index)                                            \
+    {                                                                                         \
+        RSH_STORE_ALL_ROWS(row)                                                               \
+    }
+RSH_DEFINE_STORE_ROWS4(store_rows4, __global)
 
 /* Asks for the cache lines that a block's lanes, side by side from `index` on, will write. */
 static void expect_rows(__global const float* base, uint stride, uint index)

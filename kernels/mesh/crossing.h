@@ -206,7 +206,7 @@ static lane_hits cross_unbranched(sheared_rays r, ray_space_corners s,
 {
     lane_hits hits;
     floatv edge[3];
-    hits.is_hit = find_crossings(&s, given, edge);
+    hits.is_hit = hits.is_crossed = find_crossings(&s, given, edge);
     place_hits(r, &s, edge, edge[0] + edge[1] + edge[2], &hits);
     return hits;
 }
@@ -216,7 +216,7 @@ static lane_hits cross_sheared(sheared_rays r, ray_space_corners s,
 {
     lane_hits hits;
     floatv edge[3];
-    hits.is_hit = find_crossings(&s, given, edge);
+    hits.is_hit = hits.is_crossed = find_crossings(&s, given, edge);
     hits.t = hits.weight[0] = hits.weight[1] = hits.weight[2] = (floatv)(0.0f);
     if (!any_lane(hits.is_hit)) return hits;
     place_hits(r, &s, edge, edge[0] + edge[1] + edge[2], &hits);

@@ -61,6 +61,9 @@ typedef struct sheared_rays {
 typedef struct lane_hits {
     intv is_hit;         /* mask */
     floatv t, weight[3]; /* of the corners in their order, see mesh/corner_order.h */
+#if RSH_ALL_HITS
+    intv is_crossed; /* mask: hits, and others that only t leaves out */
+#endif
 #if RSH_FILTER
     intv is_negative; /* mask: the area */
 #endif

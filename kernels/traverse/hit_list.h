@@ -1,6 +1,7 @@
 /* hit_list.h - all hits of rays, in programs that are made for them (RSH_ALL_HITS): how many each ray
- * has, and, where they are listed, each as a record. Records lie in the order in which they were found;
- * traverse/list_hits.cl puts them where they belong.
+ * has, and, where they are listed, each as a record. Records lie in the order in which they were found.
+ * An engine that takes tiles of rays may sort and pack the first hits of each ray, so that only the others
+ * become records. traverse/list_hits.cl puts all of them where they belong.
  *
  * The kernels of such a program are given, in place of closest hits and occlusion:
  *   hits           records, behind a hit_records_head; NULL: hits are only counted
@@ -20,8 +21,8 @@
 #endif
 
 typedef struct hit_list {
-    __global hit_record* records; /* 0: hits are only counted */
-    volatile __global uint* used;
+    __global hit_record* records;          /* 0: hits are only counted */
+    volatile __global uint *used, *packed; /* see hit_records_head */
     uint capacity, at_once;
     uint next, end; /* of those taken, the ones still free */
 } hit_list;
@@ -30,11 +31,26 @@ typedef struct hit_list {
 static hit_list hit_list_in(__global rsh_hit* hits, uint capacity, uint at_once)
 {
     __global hit_records_head* head = (__global hit_records_head*)hits;
-    hit_list list = {0, 0, capacity, at_once, 0, 0};
+    hit_list list = {0, 0, 0, capacity, at_once, 0, 0};
     if (!head) return list;
     list.records = (__global hit_record*)(head + 1);
     list.used = &head->used;
+    list.packed = &head->packed;
     return list;
+}
+
+/* Hits that tiles have packed fill the room of the records from its end: if all hits can be records, there
+ * is enough for both. This word of a tile is behind that room, and says how many hits before the end its
+ * own begin; 0: it has none. */
+static __global uint* packed_end_of(__global const hit_record* records, uint capacity,
+                                    uint tile)
+{
+    return (__global uint*)(records + capacity) + tile;
+}
+
+static __global rsh_hit* packed_at(__global const hit_record* records, uint capacity, uint end)
+{
+    return (__global rsh_hit*)(records + capacity) - end;
 }
 
 /* rank: how many hits of the ray came before. */

@@ -6,6 +6,7 @@
 #include "mesh/leaving.h"
 #include "rays/box_node.h"
 #include "traverse/hit_list.h"
+#include "traverse/hit_rows.h"
 #include "traverse/leaf_triangle.h"
 
 typedef struct ray_packet {
@@ -29,7 +30,8 @@ typedef struct ray_packet {
     uint b;
 #if RSH_ALL_HITS
     uintv count[RSH_VECTORS]; /* hits so far */
-    hit_list* list;           /* where they go */
+    hit_rows* rows;           /* of each vector; 0: all hits are records */
+    hit_list* list;           /* the records */
 #endif
 } ray_packet;
 
@@ -290,9 +292,17 @@ static void store_packet_occlusion(const ray_packet* packet, ray_tile tile, uint
 static void store_packet_counts(const ray_packet* packet, ray_tile tile, uint b,
                                 __global uint* counts)
 {
-    for (uint k = 0; k < 16; ++k) {
-        const uint i = ray_of(tile, b, k);
-        if (i != RSH_NO_RAY) counts[i] = packet ? ((const uint*)packet->count)[k] : 0;
+    const uint none[16] = {0};
+    const uint* count = packet ? (const uint*)packet->count : none;
+    for (uint r = 0; r < 4; ++r) {
+        if (is_whole(tile, b)) {
+            vstore4(vload4(r, count), 0, counts + ray_of(tile, b, 4 * r));
+            continue;
+        }
+        for (uint k = 4 * r; k < 4 * r + 4; ++k) {
+            const uint i = ray_of(tile, b, k);
+            if (i != RSH_NO_RAY) counts[i] = count[k];
+        }
     }
 }
 #endif

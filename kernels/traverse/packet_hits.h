@@ -1,5 +1,5 @@
 /* packet_hits.h - what a triangle changes in a packet: the closest hits of its rays, or, in a program
- * with RSH_ALL_HITS, the number of their hits and the records of these. */
+ * with RSH_ALL_HITS, the number of their hits and the lists of these. */
 #ifndef RSH_TRAVERSE_PACKET_HITS_H
 #define RSH_TRAVERSE_PACKET_HITS_H
 
@@ -27,20 +27,29 @@ static intv without_unseen(const ray_packet* packet, uint v, const leaf_triangle
 
 #if RSH_ALL_HITS
 
-/* Lists the hits of vector v, those of the lanes whose bits are set. */
-static void list_packet_hits(ray_packet* packet, uint v, const leaf_triangle* triangle,
-                             const lane_hits* hits, uint met)
+/* Makes records of the hits of vector v, those of the lanes whose bits are set. */
+RSH_CALLED static void record_packet_hits(const ray_packet* packet, uint v, const hit_row* hits,
+                                          uint met)
 {
-    float t[RSH_WIDTH], weight[2][RSH_WIDTH];
-    store_lanes(hits->t, t);
-    for (uint i = 0; i < 2; ++i)
-        store_lanes(weight_of_corner(hits->weight, i + 1, triangle->places), weight[i]);
     for (; met; met &= met - 1) {
         const uint k = 31 - clz(met & -met);
-        const rsh_hit hit = {t[k], weight[0][k], weight[1][k], triangle->index};
         add_to_list(packet->list, ray_of(*packet->tile, packet->b, RSH_WIDTH * v + k),
-                    ((const uint*)packet->count)[RSH_WIDTH * v + k], hit);
+                    ((const uint*)packet->count)[RSH_WIDTH * v + k], hit_of_lane(hits, k));
     }
+}
+
+static void list_packet_hits(ray_packet* packet, uint v, const leaf_triangle* triangle,
+                             const lane_hits* hits)
+{
+    const hit_row row = {hits->t, weight_of_corner(hits->weight, 1, triangle->places),
+                         weight_of_corner(hits->weight, 2, triangle->places),
+                         (uintv)(triangle->index)};
+    const uint left = packet->rows
+                          ? add_to_rows(&packet->rows[v], row, hits->is_hit, hits->is_crossed)
+                          : RSH_LANE_BITS(hits->is_hit);
+    if (!left) return;
+    const hit_row copy = row;
+    record_packet_hits(packet, v, &copy, left);
 }
 
 /* True: a ray may have more hits now. Without branches, as every other triangle is hit. is_any: no hit
@@ -60,8 +69,7 @@ static bool intersect_packet(ray_packet* packet, const leaf_triangle* triangle, 
         if (packet->left)
             hits.is_hit =
                 without_left(packet, v, triangle->at, triangle->index, hits.is_hit, hits.t);
-        const uint met = packet->list->records ? RSH_LANE_BITS(hits.is_hit) : 0;
-        if (met) list_packet_hits(packet, v, triangle, &hits, met);
+        if (packet->list->records) list_packet_hits(packet, v, triangle, &hits);
         packet->count[v] += select((uintv)(0u), (uintv)(1u), as_uintv(hits.is_hit));
     }
     return true;

@@ -16,9 +16,13 @@ RSH_ASSERT_SIZE(hit_record, 24);
 typedef struct hit_records_head {
     rsh_uint
         used; /* records that were taken, more than there are if the room did not suffice */
-    rsh_uint unused[5];
+    rsh_uint packed; /* hits that tiles have packed, see traverse/tiles/pack_hits.h */
+    rsh_uint unused[4];
 } hit_records_head;
 RSH_ASSERT_SIZE(hit_records_head, 24);
+
+/* Hits of a ray that a tile of rays keeps, sorts and packs itself. */
+#define RSH_HIT_ROWS 8
 
 /* Records that a work-item takes at a time, where it has the hits of many rays. */
 #define RSH_RECORDS_AT_ONCE 64

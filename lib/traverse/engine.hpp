@@ -27,6 +27,9 @@ public:
     virtual bool suits(const DeviceCaps&) const noexcept { return true; }
     // Whether it takes rsh_traverse_desc::tests_per_ray.
     virtual bool counts_tests_per_ray() const noexcept { return false; }
+    // Hits of a ray that it packs in order, see kernels/traverse/tiles/pack_hits.h; 0: it makes a record of
+    // each hit.
+    virtual cl_uint packed_hits() const noexcept { return 0; }
     // Elements of the longest stream that it reduces; 0: it takes no strategy.
     virtual cl_uint longest_stream(const rsh_traverse_desc&) const { return 0; }
     // Reads none of the descriptor's buffers, not even whether they are there.

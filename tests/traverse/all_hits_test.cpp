@@ -6,6 +6,8 @@
 
 #include "support/compare.hpp"
 #include "support/ways.hpp"
+#include "traverse/types.h"
+#include "tuning.h"
 
 namespace {
 
@@ -126,6 +128,26 @@ TEST(AllHitsOfALine, AreInOrder) {
         ASSERT_EQ(lists.hits.size(), layers);
         EXPECT_TRUE(std::is_sorted(lists.hits.begin(), lists.hits.end(), comes_before));
     }
+}
+
+// As many hits as a tile keeps of a ray, fewer and more, side by side. Room for so many that lists are
+// stored past the caches.
+TEST(AllHitsOfManyLayers, AreThoseOfBruteForce) {
+    test::Random random(55);
+    const DeviceMesh mesh(test::random_soup(random, test::small() ? 80 : 150, 0.8f));
+    const test::Rays rays = test::pinhole_rays(test::small() ? 19 : 71, 35);
+    const HitLists expected = all_hits(mesh, rays, test::brute_force());
+    const auto counts = counts_of(expected);
+    for (const uint32_t count : {RSH_HIT_ROWS - 1, RSH_HIT_ROWS, RSH_HIT_ROWS + 1})
+        ASSERT_GT(std::count(counts.begin(), counts.end(), count), 0) << "rays of " << count;
+    for (const TraceOptions& way : test::all_ways())
+        for (const uint64_t capacity : {expected.offsets.back(), uint64_t{RSH_LARGE_LIST}}) {
+            SCOPED_TRACE(name_of(way) + ", room for " + std::to_string(capacity));
+            HitLists lists = hit_lists(mesh, rays, capacity, way);
+            lists.hits.resize(expected.hits.size());
+            EXPECT_TRUE(test::same_bits(lists.offsets, expected.offsets, "offsets"));
+            EXPECT_TRUE(test::same_bits(lists.hits, expected.hits, "hits"));
+        }
 }
 
 // Rays that there are not have no hits, and their counts stay as they were.

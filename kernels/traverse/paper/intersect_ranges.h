@@ -20,6 +20,7 @@ typedef struct range_target {
 static void load_target_hits(const range_target* target, const ray_tile* tile, uint b,
                              ray_packet* packet)
 {
+    packet->rows = 0;
     packet->list = target->list;
     for (uint k = 0; k < 16; ++k) {
         const uint i = ray_of(*tile, b, k);

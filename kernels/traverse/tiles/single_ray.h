@@ -23,6 +23,8 @@ typedef struct single_ray {
     float doubtful_t; /* the same as in ray_packet */
 #if RSH_ALL_HITS
     uint count;
+    hit_rows* rows; /* of the vector that it is a lane of */
+    uint lane;
     hit_list* list;
 #endif
 } single_ray;
@@ -72,6 +74,8 @@ RSH_CALLED static single_ray single_ray_of(const ray_packet* packet, uint k)
     }
 #if RSH_ALL_HITS
     ray.count = ((const uint*)packet->count)[k];
+    ray.rows = &packet->rows[k / RSH_WIDTH];
+    ray.lane = k % RSH_WIDTH;
     ray.list = packet->list;
 #endif
     return ray;

@@ -36,6 +36,12 @@ static uint seen_lanes(const single_ray* ray, __global const float* leaf, uint v
 
 #if RSH_ALL_HITS
 
+static void list_hit(single_ray* ray, rsh_hit hit)
+{
+    if (!add_to_lane(ray->rows, ray->lane, hit))
+        add_to_list(ray->list, ray->index, ray->count, hit);
+}
+
 /* Counts and lists the hits with vector v of a leaf's triangles, those of the lanes whose bits are
  * set. */
 static bool list_leaf_hits(single_ray* ray, __global const float* leaf, uint v,
@@ -56,7 +62,8 @@ static bool list_leaf_hits(single_ray* ray, __global const float* leaf, uint v,
         if (ray->left && is_leaf_hit_left(ray, leaf, RSH_WIDTH * v + k, triangle, t[k]))
             continue;
         const rsh_hit hit = {t[k], weight[places & 3][k], weight[places >> 2][k], triangle};
-        add_to_list(ray->list, ray->index, ray->count++, hit);
+        if (ray->list->records) list_hit(ray, hit);
+        ++ray->count;
     }
     return ray->count != before;
 }

@@ -36,6 +36,7 @@ typedef struct traversal_state {
     ulong node_tests, ray_tests;
 #if RSH_ALL_HITS
     hit_list list;
+    hit_rows rows_of_block[16][RSH_VECTORS];
 #endif
     /* With RSH_TESTS_PER_RAY: that all rays of a block took part in; that a ray did alone. */
     uint tests_of_block[RSH_TESTS_PER_RAY ? 16 : 1], tests_of_ray[RSH_TESTS_PER_RAY ? 256 : 1];
@@ -66,6 +67,8 @@ RSH_CALLED static void load_packet_of(traversal_state* state, uint b)
     ray_packet* packet = &state->packet[b];
     load_packet(packet, &state->tile, b, state->rays, state->scene_size);
 #if RSH_ALL_HITS
+    packet->rows = state->rows_of_block[b];
+    for (uint v = 0; v < RSH_VECTORS; ++v) clear_rows(&packet->rows[v]);
     packet->list = &state->list;
 #endif
     for (uint axis = 0; axis < 3; ++axis)

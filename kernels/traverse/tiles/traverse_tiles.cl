@@ -19,6 +19,7 @@
 #include "rays/nodes_head.h"
 #include "traverse/count.h"
 #include "traverse/tiles/descend_packet.h"
+#include "traverse/tiles/pack_hits.h"
 #include "traverse/tiles/packet_cost.h"
 #include "traverse/wrong_buffers.h"
 #include "tuning.h"
@@ -194,11 +195,13 @@ RSH_CALLED static void measure_scene(traversal_state* state)
 }
 
 #if RSH_ALL_HITS
-RSH_CALLED static void store_answers(traversal_state* state, __global uint* counts)
+RSH_CALLED static void store_answers(traversal_state* state, uint tile, __global uint* counts)
 {
     for (uint b = 0; b < 16; ++b)
         store_packet_counts(state->loaded >> b & 1 ? &state->packet[b] : 0, state->tile, b,
                             counts);
+    if (!state->list.records) return;
+    pack_hits(state, tile);
     close_list(&state->list);
 }
 #else
@@ -265,7 +268,7 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
         traverse_tile(&state, active);
     }
 #if RSH_ALL_HITS
-    store_answers(&state, occlusion);
+    store_answers(&state, me, occlusion);
 #else
     store_answers(&state, hits, occlusion, occlusion_bit);
 #endif
