@@ -13,6 +13,7 @@
  */
 #include "camera/pixel_square.h"
 #include "camera/project.h"
+#include "lanes/stride.h"
 
 #define RSH_UNLISTED 0x80000000u /* flag in `ends`: the list did not fit */
 
@@ -27,13 +28,21 @@ static ushort4 box_of(const screen_setup* screen, mesh_view mesh,
     return is_valid ? project(screen, triangle) : (ushort4)(1, 1, 0, 0);
 }
 
+RSH_CALLED static void project_triangles(const screen_setup* screen, mesh_view mesh,
+                                         __global const float* vertices,
+                                         __global const uint* indices, strided_range mine,
+                                         __global ushort4* boxes)
+{
+    for (uint i = mine.begin; i < mine.end; i += mine.step)
+        boxes[i] = box_of(screen, mesh, vertices, indices, i);
+}
+
 __kernel void rsh_rasterize_project(screen_setup screen, mesh_view mesh,
                                     __global const float* vertices,
                                     __global const uint* indices, __global ushort4* boxes)
 {
-    const uint i = get_global_id(0);
-    if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
-    boxes[i] = box_of(&screen, mesh, vertices, indices, i);
+    project_triangles(&screen, mesh, vertices, indices, my_elements(mesh.triangle_count),
+                      boxes);
 }
 
 static uint range_end(const screen_setup* screen, uint range)

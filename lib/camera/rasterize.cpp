@@ -107,8 +107,8 @@ void rasterize(Recorder& recorder, const rsh_rasterize_desc& desc) {
         return KernelName{"camera/rasterize", name, "-D RSH_TILE=" + std::to_string(side)};
     };
     recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_project"),
-                    recorder.range(geometry.triangle_count), screen, mesh, geometry.vertices,
-                    geometry.indices, scratch["boxes"]);
+                    recorder.stream_range(geometry.triangle_count), screen, mesh,
+                    geometry.vertices, geometry.indices, scratch["boxes"]);
     recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_bin"), {screen.range_count, 1},
                     screen, scratch["boxes"], scratch["ends"], scratch["lists"]);
     recorder.launch(RSH_STAGE_RASTERIZE, kernel("rsh_rasterize_tiles"),
