@@ -120,7 +120,7 @@ static bool load_sound_corners(mesh_view mesh, __global const float* vertices,
     load_vertices_of(mesh, indices, triangle, vertex);
     vertices += word_offset(mesh.vertices_first_low, mesh.vertices_first_high);
     float16 sum = (float16)(0.0f);
-#pragma unroll
+#pragma unroll 1
     for (uint i = 0; i < 3; ++i) {
         if (any_from(mesh.vertex_count - 1, vertex[i])) return false;
         uint place[16];
