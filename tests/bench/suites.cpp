@@ -1,6 +1,7 @@
 // suites.cpp - the list of suites. One row each.
 #include "ablation/ablation_suite.hpp"
 #include "accuracy/accuracy_suite.hpp"
+#include "approximate/approximate_suite.hpp"
 #include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
 #include "hits/hits_suite.hpp"
@@ -17,6 +18,7 @@ namespace bench {
 const std::vector<Suite*>& suites() {
     static AblationSuite ablation;
     static AccuracySuite accuracy;
+    static ApproximateSuite approximate;
     static BudgetsSuite budgets;
     static FrameSuite frame;
     static HitsSuite hits;
@@ -26,9 +28,9 @@ const std::vector<Suite*>& suites() {
     static QueriesSuite queries;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&ablation, &accuracy, &budgets,  &frame,
-                                            &hits,     &mirrors,  &parity,   &programs,
-                                            &queries,  &reduce,   &stability};
+    static const std::vector<Suite*> all = {&ablation, &accuracy, &approximate, &budgets,
+                                            &frame,    &hits,     &mirrors,     &parity,
+                                            &programs, &queries,  &reduce,      &stability};
     return all;
 }
 

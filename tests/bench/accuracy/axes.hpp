@@ -13,7 +13,8 @@ namespace bench::accuracy {
 struct Setting {
     cl_uint bounces = 4;
     float min_weight = 0;
-    double size = 1;  // of the picture's width and height
+    float tolerance = 0;  // above: an approximate picture
+    double size = 1;      // of the picture's width and height
     cl_uint engine = RSH_ENGINE_TILES;
     rsh_features without = 0;  // that the scene has
 };

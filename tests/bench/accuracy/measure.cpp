@@ -34,12 +34,6 @@ struct Entry {
     }
 };
 
-Image image_of(const std::vector<cl_float4>& pixels, uint32_t width, uint32_t height) {
-    Image image = {width, height, {}};
-    for (const cl_float4& p : pixels) image.pixels.push_back({p.s[0], p.s[1], p.s[2]});
-    return image;
-}
-
 // Pixels that are not the same bits, of two pictures of one size.
 size_t count_differing(const std::vector<cl_float4>& a, const std::vector<cl_float4>& b) {
     size_t count = 0;

@@ -24,6 +24,12 @@ cl::Buffer scratch_of(const Device& device, Query query, const Desc& desc) {
 
 }  // namespace
 
+Image image_of(const std::vector<cl_float4>& pixels, uint32_t width, uint32_t height) {
+    Image image = {width, height, {}};
+    for (const cl_float4& p : pixels) image.pixels.push_back({p.s[0], p.s[1], p.s[2]});
+    return image;
+}
+
 SceneOnDevice::SceneOnDevice(const Device& device, const Staged& staged)
     : device_(device), camera_(staged.camera) {
     const test::Scene& scene = staged.scene;
@@ -71,6 +77,7 @@ FrameOnDevice::FrameOnDevice(const SceneOnDevice& scene, cl_uint width, cl_uint 
     desc_.bounces = setting.bounces;
     desc_.min_weight = setting.min_weight;
     desc_.engine = setting.engine;
+    desc_.tolerance = setting.tolerance;
     colour_ = cl::Buffer(device_.context(), CL_MEM_READ_WRITE,
                          size_t{width} * height * sizeof(cl_float4));
     desc_.colour = colour_();

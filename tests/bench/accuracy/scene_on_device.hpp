@@ -9,6 +9,8 @@
 
 namespace bench::accuracy {
 
+Image image_of(const std::vector<cl_float4>& pixels, uint32_t width, uint32_t height);
+
 class SceneOnDevice {
 public:
     SceneOnDevice(const Device& device, const Staged& staged);

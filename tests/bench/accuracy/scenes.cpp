@@ -17,8 +17,15 @@ std::vector<To> copied(const std::vector<From>& from) {
     return to;
 }
 
-SceneKind room_kind(const char* name, int64_t triangles) {
-    return {name, false, [=] {
+// A floor with a texture, a mirror, glass, a box, three lights and a sky: the scene of the tests.
+Staged spheres() {
+    return {test::gallery(), test::look_at({0.4f, 2.2f, 5.5f}, {0, 0.8f, 0}, 4, 3)};
+}
+
+}  // namespace
+
+SceneKind room_kind(const char* name, int64_t triangles, bool is_quick) {
+    return {name, is_quick, [=] {
                 Staged room =
                     staged(make_still_room({name, Reflector::kSeveral, triangles, "", false}));
                 room.scene.ambient = {0.12f, 0.12f, 0.12f};
@@ -26,17 +33,10 @@ SceneKind room_kind(const char* name, int64_t triangles) {
             }};
 }
 
-SceneKind file_kind(const char* name, bool is_quick = false) {
+SceneKind file_kind(const char* name, bool is_quick) {
     const std::string file = std::string(RSH_SCENE_FILES "/") + name + ".json";
     return {name, is_quick, [=] { return read_staged(file); }};
 }
-
-// A floor with a texture, a mirror, glass, a box, three lights and a sky: the scene of the tests.
-Staged spheres() {
-    return {test::gallery(), test::look_at({0.4f, 2.2f, 5.5f}, {0, 0.8f, 0}, 4, 3)};
-}
-
-}  // namespace
 
 const std::vector<SceneKind>& scene_kinds() {
     static const std::vector<SceneKind> all = {

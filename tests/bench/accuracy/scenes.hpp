@@ -16,6 +16,8 @@ constexpr float kAspect = 4.0f / 3;
 struct Staged {
     test::Scene scene;
     rsh_camera camera;
+    cl_uint bounces = 4;  // that it asks for
+    float min_weight = 0;
 };
 
 struct SceneKind {
@@ -23,6 +25,11 @@ struct SceneKind {
     bool is_quick;  // part of --quick
     std::function<Staged()> make;
 };
+
+// Generated, with so many triangles.
+SceneKind room_kind(const char* name, int64_t triangles, bool is_quick = false);
+// samples/scenes/NAME.json.
+SceneKind file_kind(const char* name, bool is_quick = false);
 
 // What needs no file comes first.
 const std::vector<SceneKind>& scene_kinds();

@@ -17,6 +17,9 @@ COSTS = {
                  "launches": Metric(), "compile_ms": Metric(), "finish_ms": Metric()},
     "accuracy": {"ms": Metric(spread="ms"), "ratio": Metric(more_is_better=True, spread="ms"),
                  "rmse": Metric(), "flip": Metric(), "wrong_pixels": Metric()},
+    "approximate": {"ratio": Metric(more_is_better=True, spread="ratio"),
+                    "ratio_cpu": Metric(more_is_better=True), "ms": Metric(spread="ms"),
+                    "flip": Metric(), "flip_above": Metric(), "rmse": Metric(), "traced": Metric()},
     "budgets": {"measured_u": Metric()},
     "frame": {"ms_total": Metric(spread="ms_total"), "ms_bound": Metric(), "ms_build": Metric(),
               "ms_traverse": Metric(), "ratio_embree": Metric(more_is_better=True, spread="ratio_embree"),
@@ -40,7 +43,7 @@ COSTS = {
 
 # Answers that are wrong, or that differ where none may.
 FAULTS = ("mismatches", "columns_disagree", "missed", "spurious", "wrong_triangle", "wrong", "inexact", "leaks",
-          "differ", "nan_out", "self_hits")
+          "differ", "unsteady", "nan_out", "self_hits")
 
 
 def is_peer(case):

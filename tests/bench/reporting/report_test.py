@@ -85,6 +85,21 @@ class Tables(InFolder):
         file = self.store("q.json", document_of("queries", case("queries/a", {}, {"ms_any": 2.5, "wrong": 0})))
         self.assertIn("| case | ms any | wrong |\n|---|---|---|\n| a | 2.5 | 0 |\n", self.passes(file))
 
+    def test_of_approximate_frames_those_worth_it_are_bold(self):
+        def approximate(scene, ratio, flip, above):
+            params = {"scene": scene, "width": 960, "tolerance": 0.01}
+            metrics = {"ratio": ratio, "ratio_cpu": 1.7, "flip": flip, "flip_above": above, "traced": 0.25}
+            return case(f"approximate/{scene}", params, metrics)
+        text = self.passes(self.store("a.json", document_of(
+            "approximate", approximate("good", 1.5, 0.0199, 0.001), approximate("slow", 1.49, 0, 0),
+            approximate("seen", 2, 0.02, 0), approximate("spotty", 2, 0, 0.0011))))
+        self.assertIn("| good | **1.50 (1.70) · 0.0199 · 0.100** |\n"
+                      "| slow | 1.49 (1.70) · 0.0000 · 0.000 |\n"
+                      "| seen | 2.00 (1.70) · 0.0200 · 0.000 |\n"
+                      "| spotty | 2.00 (1.70) · 0.0000 · 0.110 |\n", text)
+        self.assertIn("with 0.01: good. Not so: slow (1.49 times), seen (seen), spotty (seen).",
+                      " ".join(text.split()))
+
     def test_several_files_of_a_suite_are_one_table(self):
         def stream(strategy, speed):
             params = {"strategy": strategy, "n": 1 << 22, "bytes": 4, "keep": 50, "pattern": "random",

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import ablation.report
 import accuracy.report
+import approximate.report
 import budgets.report
 import hits.report
 import mirrors.report
@@ -31,6 +32,7 @@ class Suite:
 SUITES = {
     "ablation": Suite(ablation.report.table, more={"ablation-costs": ablation.report.costs}),
     "accuracy": Suite(accuracy.report.table, plots={"accuracy.svg": accuracy.report.plot}),
+    "approximate": Suite(approximate.report.table),
     "budgets": Suite(budgets.report.table, filled=budgets.report.filled),
     "frame": Suite(),
     "hits": Suite(hits.report.table, plots={"hits.svg": hits.report.plot}),

@@ -21,6 +21,8 @@ Staged read_staged(const std::string& file) {
     made.scene.ambient = to_float3(world.ambient());
     made.scene.environment = to_float3(world.environment());
     made.scene.environment_texture = world.environment_texture();
+    made.bounces = description.settings.bounces.value_or(made.bounces);
+    made.min_weight = description.settings.min_weight.value_or(made.min_weight);
     made.scene.cut = description.settings.cut.value_or(RSH_CUT_BLACK);
     return made;
 }
