@@ -15,6 +15,11 @@ Point min_weight(float weight) {
             [=](Setting& s) { s.min_weight = weight; }};
 }
 
+Point tolerance(float tolerance) {
+    return {"tolerance", fmt::format("{}", tolerance),
+            [=](Setting& s) { s.tolerance = tolerance; }};
+}
+
 Point size(double times, const char* name) {
     return {"size", name, [=](Setting& s) { s.size = times; }};
 }
@@ -47,6 +52,9 @@ const std::vector<Point>& all_points() {
         min_weight(0.03f),
         min_weight(0.1f),
         min_weight(0.3f),
+        tolerance(0.003f),
+        tolerance(0.01f),
+        tolerance(0.03f),
         size(0.25, "1/4"),
         size(0.5, "1/2"),
         size(2, "2"),

@@ -14,6 +14,8 @@ AXES = {
                "scene says for rays that are cut, black mostly. A bounce costs the rays that it has.",
     "min_weight": "Rays whose weight in the pixel is not above this are not traced. Each saves time "
                   "and takes away at most so much of what it would have seen.",
+    "tolerance": "An approximate picture: pixels between others that look alike but for this much get their "
+                 "mean. What is traced has the bits of the default. It pays in larger pictures than this one.",
     "size": "Width and height of the picture that is rendered, in multiples of the default's. Larger ones "
             "are averaged down, which smooths edges; smaller ones are interpolated up.",
     "engine": "Who finds the hits. The picture has the same bits, the time does not. Each engine takes "

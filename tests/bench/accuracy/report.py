@@ -5,7 +5,7 @@ from reporting import drawing
 from reporting.results import measured_on, wrapped
 
 COLOURS = {"bounces": "tab:blue", "min_weight": "tab:orange", "size": "tab:green",
-           "engine": "tab:gray", "shadow": "tab:purple", "reflection": "tab:red",
+           "engine": "tab:gray", "tolerance": "tab:pink", "shadow": "tab:purple", "reflection": "tab:red",
            "refraction": "tab:cyan", "texture": "tab:olive"}
 
 
