@@ -1,6 +1,7 @@
-// program.cpp - through a shell.
+// program.cpp - through a shell; images by OpenImageIO.
 #include "program.hpp"
 
+#include <OpenImageIO/imageio.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -25,6 +26,12 @@ Ended run(const std::string& arguments, const std::string& environment) {
 std::string content(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string description_of(const std::string& path) {
+    const auto image = OIIO::ImageInput::open(path);
+    if (!image) return OIIO::geterror();
+    return image->spec().get_string_attribute("ImageDescription").str();
 }
 
 }  // namespace render

@@ -16,4 +16,7 @@ Ended run(const std::string& arguments, const std::string& environment = "");
 // The bytes of a file; "": there is none.
 std::string content(const std::string& path);
 
+// What an image says of itself; "": nothing.
+std::string description_of(const std::string& path);
+
 }  // namespace render

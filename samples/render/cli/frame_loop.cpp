@@ -123,7 +123,7 @@ uint32_t audited_rays(const Options& options, uint32_t pixels, int frame) {
 
 PictureOutput picture_of(const Options& options, glm::uvec2 size, int frame, int count) {
     if (!options.out) return {};
-    return {frame_path(*options.out, frame, count), size};
+    return {frame_path(*options.out, frame, count), size, approximation(options.tolerance)};
 }
 
 // Whether the last frame's hits are those of brute force.

@@ -6,14 +6,15 @@
 
 namespace render {
 
-PictureOutput::PictureOutput(const std::string& path, glm::uvec2 size)
-    : path_(path), size_(size) {}
+PictureOutput::PictureOutput(const std::string& path, glm::uvec2 size,
+                             const std::string& description)
+    : path_(path), size_(size), description_(description) {}
 
 void PictureOutput::write(const Strip& strip) {
     if (path_.empty()) return;
     if (!file_) {
         file_.emplace(path_);
-        writer_.emplace(*file_, path_, size_.x, size_.y);
+        writer_.emplace(*file_, path_, size_.x, size_.y, description_);
     }
     writer_->write(strip);
 }

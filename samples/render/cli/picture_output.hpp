@@ -15,7 +15,8 @@ namespace render {
 class PictureOutput {
 public:
     PictureOutput() = default;  // takes strips, and leaves no file
-    PictureOutput(const std::string& path, glm::uvec2 size);
+    // description: as PictureWriter has it.
+    PictureOutput(const std::string& path, glm::uvec2 size, const std::string& description);
 
     void write(const Strip& strip);  // the first one begins the file
     // As write_output.
@@ -24,6 +25,7 @@ public:
 private:
     std::string path_;
     glm::uvec2 size_{0};
+    std::string description_;
     std::optional<WholeFile> file_;
     std::optional<PictureWriter> writer_;  // into file_
 };

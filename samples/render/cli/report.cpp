@@ -111,14 +111,17 @@ std::vector<StageTime> stage_times(const FrameMeasure& frame) {
     return times;
 }
 
+std::string approximation(float tolerance) {
+    return tolerance > 0 ? fmt::format("approximate: tolerance {}", tolerance) : "";
+}
+
 std::string table(const RunReport& report) {
     std::string text = fmt::format("{} ({}), engine {}, strategy {}\n", report.device,
                                    report.platform, report.engine, report.strategy);
     text +=
         fmt::format("{} triangles, {} x {} pixels, {} bounces, {} frames\n", report.triangles,
                     report.size.x, report.size.y, report.bounces, report.frames.size());
-    if (report.tolerance > 0)
-        text += fmt::format("approximate: tolerance {}\n", report.tolerance);
+    if (report.tolerance > 0) text += approximation(report.tolerance) + '\n';
     text += fmt::format(
         "scene read in {:.0f} ms; first frame {:.0f} ms, not counted below: {} "
         "programs compiled, {} from the cache\n",

@@ -36,6 +36,9 @@ struct StageTime {
 };
 std::vector<StageTime> stage_times(const FrameMeasure& frame);
 
+// What is said of approximate frames; of exact ones, nothing.
+std::string approximation(float tolerance);
+
 // Means over all frames.
 std::string table(const RunReport& report);
 

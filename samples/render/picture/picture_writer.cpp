@@ -66,10 +66,12 @@ void require_format(const std::string& path, uint32_t width, uint32_t height) {
 }
 
 PictureWriter::PictureWriter(WholeFile& file, const std::string& path, uint32_t width,
-                             uint32_t height)
+                             uint32_t height, const std::string& description)
     : is_linear_(is_linear(path)) {
     require_format(path, width, height);
-    image_ = std::make_unique<ImageFile>(file, path, spec_of(path, width, height));
+    OIIO::ImageSpec spec = spec_of(path, width, height);
+    if (!description.empty()) spec.attribute("ImageDescription", description);
+    image_ = std::make_unique<ImageFile>(file, path, spec);
 }
 
 PictureWriter::~PictureWriter() = default;

@@ -67,6 +67,23 @@ TEST_F(RshRender, IsContentWithAnyOneOutput) {
     EXPECT_EQ(content(path("a.json")).substr(0, 1), "{");
 }
 
+TEST_F(RshRender, NamesTheToleranceInEveryOutput) {
+    const Ended ended = run(scene() + "--tolerance 0.125 --stats --json " + path("a.json") +
+                            " --out " + path("a.png"));
+    EXPECT_EQ(ended.status, 0) << ended.printed;
+    EXPECT_NE(ended.printed.find("approximate: tolerance 0.125\n"), std::string::npos)
+        << ended.printed;
+    EXPECT_NE(content(path("a.json")).find("\"tolerance\": 0.125"), std::string::npos);
+    EXPECT_EQ(description_of(path("a.png")), "approximate: tolerance 0.125");
+}
+
+TEST_F(RshRender, SaysNothingOfAToleranceOfZero) {
+    const Ended ended = run(scene() + "--tolerance 0 --stats --out " + path("a.png"));
+    EXPECT_EQ(ended.status, 0) << ended.printed;
+    EXPECT_EQ(ended.printed.find("approximate"), std::string::npos) << ended.printed;
+    EXPECT_EQ(description_of(path("a.png")), "");
+}
+
 // Fewer than all of them.
 TEST_F(RshRender, AuditsSomeRaysOfEveryFrame) {
     const auto audited = [&](const std::string& options) {

@@ -26,9 +26,10 @@ constexpr const char* kEndings[] = {".png", ".exr", ".jpg", ".jpeg", ".tif",  ".
                                     ".bmp", ".tga", ".hdr", ".ppm",  ".webp", ".PNG"};
 
 // In strips of so many rows.
-void write(const Strip& picture, const std::string& path, uint32_t rows) {
+void write(const Strip& picture, const std::string& path, uint32_t rows,
+           const std::string& description = {}) {
     render::WholeFile file(path);
-    render::PictureWriter writer(file, path, picture.width, picture.rows);
+    render::PictureWriter writer(file, path, picture.width, picture.rows, description);
     const size_t row = size_t{4} * picture.width;
     for (uint32_t first = 0; first < picture.rows; first += rows) {
         const uint32_t last = std::min(first + rows, picture.rows);
@@ -103,6 +104,33 @@ TEST(PictureWriter, OfEveryEndingCanBeReadBack) {
             EXPECT_NEAR(image.bytes[0], 128, 3) << ending;
         else
             EXPECT_NEAR(image.floats[0], 0.2158605f, 1e-3) << ending;
+    }
+}
+
+TEST(PictureWriter, DescribesWhatItIsToldTo) {
+    render::TemporaryFolder folder;
+    for (const std::string ending : {".png", ".exr", ".jpg", ".tif"}) {
+        const std::string path = folder.path("a" + ending);
+        write(four_pixels(), path, 2, "what it is");
+        EXPECT_EQ(render::description_of(path), "what it is") << ending;
+    }
+}
+
+TEST(PictureWriter, LeavesAPictureWithoutDescriptionAlone) {
+    render::TemporaryFolder folder;
+    for (const std::string ending : kEndings) {
+        const std::string path = folder.path("a" + ending);
+        write(four_pixels(), path, 2);
+        EXPECT_EQ(render::description_of(path), "") << ending;
+    }
+}
+
+TEST(PictureWriter, OfEveryEndingIsReadableWithADescription) {
+    render::TemporaryFolder folder;
+    for (const std::string ending : kEndings) {
+        const std::string path = folder.path("a" + ending);
+        write(four_pixels(), path, 2, "what it is");
+        EXPECT_EQ(render::load_image(path).width, 2u) << ending;
     }
 }
 
