@@ -1,6 +1,7 @@
 #include "table/report.hpp"
 
 #include <gtest/gtest.h>
+
 #include <cstdlib>
 
 #include <filesystem>
