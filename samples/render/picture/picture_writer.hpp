@@ -29,7 +29,8 @@ void require_format(const std::string& path, uint32_t width, uint32_t height);
 // others get 8 bits of sRGB r, g, b. The file's bytes do not depend on the strips. It takes memory
 // for 64 rows, but for WebP, whose encoder wants the picture, and for a file that is a stream, which
 // gets its bytes at the end. `description`, unless empty, becomes the image's "ImageDescription" in
-// .png, .exr, .jpg and .tif; other formats hold none. All functions throw std::runtime_error, which begins with `path`.
+// .png, .exr, .jpg and .tif; other formats may not keep it. All functions throw std::runtime_error,
+// which begins with `path`.
 class PictureWriter {
 public:
     PictureWriter(WholeFile& file, const std::string& path, uint32_t width, uint32_t height,

@@ -29,7 +29,7 @@ TIE = ("traverse/packet_hits.h", "((uintv)(triangle->index) < packet->primitive[
        "((uintv)(triangle->index) > packet->primitive[v])")
 OFFSET = ("shade/branch.h", "rounded_to_side(start, side, sent.direction)", "from->point")
 LEAVING = ("mesh/leaving.h", "if (!may_separate(of, ray, triangle)) return false;", "return false;")
-BOTH = ("mesh/crossing.h", "if (doubtful) hits.is_hit &=", "if (0) hits.is_hit &=")
+BOTH = ("mesh/crossing.h", "if (!doubtful) return may_be;", "return may_be;")
 AREA = ("mesh/intersect.h", "(floatv)(0x1p-102f)", "(floatv)(0x1p-24f)")
 
 # What is changed, and in which engine which families notice it, if not by the closest hits then by
