@@ -201,7 +201,7 @@ class Pages(InFolder):
         document = json.loads(STORED["ablation"].read_text())
         document["rsh"]["commit"] = "feedbeef"
         file = self.store("new.json", document)
-        text = self.fails("commit feedbeef", file, "--check", self.page)
+        text = self.fails("feedbeef", file, "--check", self.page)
         self.assertIn(f"report.py {file} --write {self.page}", text)
         self.passes(file, "--write", self.page)
         self.passes(file, "--check", self.page)
