@@ -105,6 +105,18 @@ float number(const unsigned char* bytes, int type) {
     }
 }
 
+// Of packed components, each as `convert` reads it.
+template <class Number>
+std::vector<Number> converted(const std::vector<unsigned char>& packed,
+                              const tinygltf::Accessor& accessor,
+                              Number (*convert)(const unsigned char*, int)) {
+    const size_t width = component_bytes(accessor);
+    std::vector<Number> numbers(packed.size() / width);
+    for (size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = convert(&packed[i * width], accessor.componentType);
+    return numbers;
+}
+
 }  // namespace
 
 void GltfAccessors::fail(const std::string& where, const std::string& message) const {
@@ -171,25 +183,13 @@ void GltfAccessors::fill_in(const tinygltf::Accessor& accessor,
 std::vector<float> GltfAccessors::floats(int accessor, int type, GltfNumbers kind,
                                          const std::string& where) const {
     require_kind(accessor, type, kind, where);
-    const std::vector<unsigned char> packed = bytes(accessor, where);
-    const tinygltf::Accessor& found = of(accessor);
-    const size_t width = component_bytes(found);
-    std::vector<float> numbers(packed.size() / width);
-    for (size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = number(&packed[i * width], found.componentType);
-    return numbers;
+    return converted(bytes(accessor, where), of(accessor), number);
 }
 
 std::vector<uint32_t> GltfAccessors::integers(int accessor, int type, GltfNumbers kind,
                                               const std::string& where) const {
     require_kind(accessor, type, kind, where);
-    const std::vector<unsigned char> packed = bytes(accessor, where);
-    const tinygltf::Accessor& found = of(accessor);
-    const size_t width = component_bytes(found);
-    std::vector<uint32_t> numbers(packed.size() / width);
-    for (size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = integer(&packed[i * width], found.componentType);
-    return numbers;
+    return converted(bytes(accessor, where), of(accessor), integer);
 }
 
 }  // namespace render
