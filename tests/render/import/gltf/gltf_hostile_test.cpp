@@ -9,6 +9,7 @@
 
 #include "import/gltf/gltf_animation.hpp"
 #include "import/gltf/gltf_builder.hpp"
+#include "import/model_bounds.hpp"
 #include "temporary_folder.hpp"
 
 namespace render {
@@ -139,17 +140,6 @@ private:
 
     std::mt19937 random_;
 };
-
-void expect_in_bounds(const Model& model, const std::string& what) {
-    const Mesh& mesh = model.mesh;
-    ASSERT_EQ(mesh.material_ids.size(), mesh.triangles.size()) << what;
-    ASSERT_TRUE(mesh.texcoords.empty() || mesh.texcoords.size() == mesh.positions.size())
-        << what;
-    ASSERT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size()) << what;
-    for (const glm::uvec3 t : mesh.triangles)
-        ASSERT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size()) << what;
-    for (const uint32_t id : mesh.material_ids) ASSERT_LT(id, model.materials.size()) << what;
-}
 
 void try_files(const char* name, const std::function<std::string(Mutator&)>& make) {
     const char* wanted = std::getenv("RSH_HOSTILE_FILES");
