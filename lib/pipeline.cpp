@@ -9,9 +9,11 @@
 #include "pipeline.hpp"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "approximate/approximate.hpp"
+#include "batches/find_hits.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "device/cl/wrong_buffers.hpp"
@@ -32,25 +34,36 @@ namespace {
 class Frame {
 public:
     Frame(Recorder& recorder, const rsh_frame_desc& desc)
-        : recorder_(recorder), desc_(desc), memory_(recorder, desc) {}
+        : recorder_(recorder), desc_(desc), memory_(recorder, desc) {
+        if (memory_.is_in_batches())
+            feed_.emplace(recorder, memory_.batch_needs(), memory_.batch(),
+                          [this] { report_progress(); });
+    }
 
     void render() {
         // For the counts, which are behind them; one that fails would hold them up for ever.
-        if (memory_.reads_counts()) recorder_.wait_for_callers();
+        if (memory_.reads_counts() || feed_) recorder_.wait_for_callers();
         if (memory_.traces_rays()) recorder_.own_wrong_buffers(memory_.wrong_buffers());
         if (desc_.audit_rays) clear_report(recorder_, desc_.audit);
-        if (memory_.traces_rays()) bound(recorder_, memory_.bound());
+        if (memory_.traces_rays() && !feed_) bound(recorder_, memory_.bound());
         for (cl_uint row = 0; memory_.take_strip(row); row += memory_.rows()) render_strip();
     }
 
 private:
     void render_strip() {
         rasterize(recorder_, memory_.rasterize());
+        if (feed_) trace_screen();
         audit_hits(memory_.audit_screen());
         if (memory_.is_approximate())
             approximate();
         else
             render_pixels(memory_.screen());
+    }
+
+    // The scene comes in batches: what was rasterized are rays without hits.
+    void trace_screen() {
+        build(recorder_, memory_.build_screen());
+        find_closest(memory_.traverse_screen(), 0);
     }
 
     // The pixels of a grid, then those between them, from grid to finer grid.
@@ -123,12 +136,23 @@ private:
     bool fits(cl_uint spawned) const { return spawned > 0 && spawned <= memory_.most_rays(); }
 
     void trace_wave(const Wave& wave) {
-        report_progress();
+        if (!feed_) report_progress();
         count_rays(wave);
         build(recorder_, memory_.build(wave));
-        traverse(recorder_, memory_.traverse(wave));
+        find_closest(memory_.traverse(wave), wave.bounce);
         audit_hits(memory_.audit(wave));
         shade_wave(wave);
+    }
+
+    void find_closest(const rsh_traverse_desc& pass, cl_uint bounce) {
+        if (!feed_) return traverse(recorder_, pass);
+        const SeenTriangles seen = memory_.seen(bounce);
+        find_hits(recorder_, *feed_, memory_.batch(), pass, &seen);
+    }
+
+    void find_hidden(const rsh_traverse_desc& pass) {
+        if (!feed_) return traverse(recorder_, pass);
+        find_hits(recorder_, *feed_, memory_.batch(), pass, nullptr);
     }
 
     void shade_wave(const Wave& wave) {
@@ -158,7 +182,7 @@ private:
             is_base = false;
             cast_rays(wave, pass);
             build(recorder_, memory_.build_shadow(wave, light));
-            traverse(recorder_, memory_.traverse_shadow(wave, light));
+            find_hidden(memory_.traverse_shadow(wave, light));
             audit_hits(memory_.audit_shadow(wave, light));
             add_light(recorder_, pass);
         }
@@ -222,6 +246,7 @@ private:
     Recorder& recorder_;
     const rsh_frame_desc& desc_;
     FrameMemory memory_;
+    std::optional<BatchFeed> feed_;  // of a scene that comes in batches
     const bool is_counting_ = recorder_.context().statistics.enabled();
     cl_uint waves_ = 0;
 };

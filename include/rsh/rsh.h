@@ -589,6 +589,16 @@ typedef struct rsh_traverse_desc {
                               ranges has all bits. NULL: each ray hits every mesh              */
     cl_uint cull;          /* RSH_CULL_...; with it, or with ray_masks, the kernels that intersect are
                               programs of their own                                           */
+    cl_uint continued;     /* closest, any: 1: goes on from the answers of other batches of the scene,
+                              which `hits` or the bits of `occlusion` hold: see rsh_traverse    */
+    cl_uint first_triangle; /* closest, any: number in the scene of the batch's first triangle, by which
+                              hits name its triangles                                         */
+    cl_mem skip_corners;   /* in: the triangles that rays have left, of any batch: 9 floats each, the
+                              corners in the order of the index. `skip` is then a place in here. NULL:
+                              `skip` names triangles of the geometry; not with `continued` or
+                              `first_triangle`                                                */
+    cl_mem skip_numbers;   /* in, with skip_corners: a cl_uint each: its number in the scene    */
+    cl_uint skip_count;    /* how many there are; others are none                             */
 } rsh_traverse_desc;
 
 #define RSH_MIN_BUDGET 65536
@@ -616,6 +626,10 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          list_count: the answers of a list of that many rays; other hits, masks and counts are
  *          neither read nor written; with all, other rays have no hits. Statistics count the tests of
  *          these rays.
+ *          continued: for scenes that come in batches, each a geometry with bounds of its own. Rays end
+ *          where they hit a batch before, or, with any, are not traced when their bit is set. After all
+ *          batches, in whatever order, hits and bits are those of one geometry with all triangles; of
+ *          some batches, those of these. The first call has `continued` 0, which writes all hits.
  *          ray_masks, cull: hits of meshes and sides that are hidden from the ray are none: what lies
  *          behind is found. Front and back are told by the signs that decide about the hit, so that on
  *          the way through a closed surface they take turns: with count, fronts less backs is the
@@ -647,12 +661,59 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          ray_masks, cull: a look at each hit; 4 bytes per ray, and of the ranges as many as a search
  *          takes.
  *          tiles: one launch; memory beyond bounds, nodes and hits: none.
+ *          continued, first_triangle, skip_corners: programs of their own. tiles and paper write only
+ *          hits that change; with closest, the other engines take 48 bytes of scratch per ray and two
+ *          launches.
  *          count: as closest, but to the end of each ray. all: beside that 24 bytes of scratch and
  *          some 50 of traffic per hit, 6 launches and 12 bytes per ray. Sorting n hits of a ray takes
  *          n^2 steps up to 32, then n log n. */
 RSH_API rsh_status rsh_traverse(rsh_context context, cl_command_queue queue,
                                 const rsh_traverse_desc* desc, cl_uint wait_count,
                                 const cl_event* wait_list, cl_event* done);
+
+/* ---- scenes larger than memory ---- */
+
+/* What the triangles of a batch have beside the positions of their vertices. */
+#define RSH_BATCH_INDICES 1u      /* else triangle i has the vertices 3i, 3i + 1, 3i + 2     */
+#define RSH_BATCH_NORMALS 2u
+#define RSH_BATCH_TEXCOORDS 4u
+#define RSH_BATCH_MATERIAL_IDS 8u /* else all are of material 0                              */
+
+/* Part of a scene, which rsh_batch_fill writes into memory of the library's. Arrays of attributes that
+ * the source does not have are NULL; their layout is that of rsh_geometry and rsh_scene, packed. */
+typedef struct rsh_batch {
+    size_t struct_size;
+    cl_uint first_triangle;    /* in: number in the scene of the first triangle that is wanted    */
+    cl_uint triangle_capacity; /* in: triangles and vertices that there is room for          */
+    cl_uint vertex_capacity;
+    cl_uint triangle_count;    /* out: at least 1, at most up to the end of the scene             */
+    cl_uint vertex_count;      /* out                                                        */
+    float* positions;          /* 3 per vertex [world]                                       */
+    cl_uint* indices;          /* 3 per triangle, of vertices of this batch; one out of range: the
+                                  triangle is never hit                                      */
+    float* normals;            /* 3 per vertex                                               */
+    float* texcoords;          /* 2 per vertex                                               */
+    cl_uint* material_ids;     /* 1 per triangle                                             */
+} rsh_batch;
+
+/* Writes triangles from batch->first_triangle on, as many as it likes; nonzero: stop, which ends the call
+ * with RSH_CANCELLED. Runs on the calling thread while the device works on the batch before; must not
+ * call rsh on that context. Memory is valid until it returns; it is write-only, and holds anything. */
+typedef int (*rsh_batch_fill)(rsh_batch* batch, void* user);
+
+/* The triangles of a scene that is larger than the device's memory, or than the host's. A call goes
+ * through them once per wave of rays, and for shadows once per light; triangle i must be the same each
+ * time. Which triangles come together is the source's choice: hits do not depend on it, time does. Best
+ * are batches of what lies close together. */
+typedef struct rsh_batch_source {
+    size_t struct_size;
+    rsh_batch_fill fill;
+    void* user;               /* handed to `fill`                                            */
+    cl_uint triangle_count;   /* of the scene, below 2^32 - 2^28                             */
+    cl_uint attributes;       /* RSH_BATCH_... bits                                          */
+    cl_uint batch_triangles;  /* of a batch at most; 0: 2^18. Fewer where memory does not suffice;
+                                 three vertices for each                                     */
+} rsh_batch_source;
 
 /* ---- the same in one call ---- */
 
@@ -707,6 +768,16 @@ typedef struct rsh_trace_desc {
     cl_mem points;             /* closest, all: out: 3 floats per hit, packed: where on the triangle
                                   it is, (1 - u - v) v0 + u v1 + v v2, the point of rsh_surface, bit
                                   for bit; of a miss NaN. NULL: nobody wants them            */
+    cl_uint continued;         /* as in rsh_traverse_desc                                    */
+    cl_uint first_triangle;    /* likewise                                                   */
+    cl_mem skip_corners;       /* likewise                                                   */
+    cl_mem skip_numbers;       /* likewise                                                   */
+    cl_uint skip_count;        /* likewise                                                   */
+    const rsh_batch_source* batches; /* closest, any: the triangles, batch by batch, in place of
+                                  `geometry`, which is all 0 but for its ranges: none; see
+                                  rsh_batch_source. NULL: `geometry`                         */
+    size_t batch_budget;       /* bytes of scratch for a batch; 0: a quarter of the device's memory,
+                                  or its largest allocation                                  */
 } rsh_trace_desc;
 
 RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* desc,
@@ -718,9 +789,15 @@ RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* de
  * Effect:  the answers of rsh_traverse, bit for bit. Normals err by some ulp, slivers' too; where floats
  *          cannot tell one it is 0.
  *          list_count: normals, points and ids behind it stay as they are. So do all, where hits do not fit.
+ *          batches: hits name triangles of the scene, which may be larger than any memory. The progress
+ *          callback is called before each batch, with count 0. Where it, or the source, asks to stop, the
+ *          answers are those of the batches before, once *done has ended. BLOCKS for the wait list, and
+ *          while both pieces of the host's memory are still to be copied.
  * Cost:    what the three calls cost, and what is asked for, each a program of its own that is compiled when
  *          it is first asked for: rays out of arrays a launch and 32 bytes of scratch per ray, read
- *          once more and written; normals, points and ids together a launch.
+ *          once more and written; normals, points and ids together a launch. batches: the scene once
+ *          through the source, to the device and bounded; per batch a dozen launches and a look at the
+ *          nodes over the rays; twice the memory of a batch on the host.
  *          output_bytes of the query: as of rsh_traverse_query. */
 RSH_API rsh_status rsh_trace(rsh_context context, cl_command_queue queue,
                              const rsh_trace_desc* desc, cl_uint wait_count,
@@ -1007,6 +1084,9 @@ typedef struct rsh_frame_desc {
     rsh_window window;
     float tolerance;      /* 0: an exact frame. Above: an approximate one, see below; 0.01 is a
                              difference that is hardly seen. Not NaN, not infinite           */
+    const rsh_batch_source* batches; /* the triangles, batch by batch, in place of scene->geometry,
+                             normals, texcoords and material_ids, which are 0 and NULL;
+                             NULL: those                                                     */
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,
@@ -1033,6 +1113,13 @@ RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* de
  * between pixels that look alike. Takes 72 bytes more per pixel. Pays for large pictures, whose
  * pixels are more alike, and only if rays come after the camera's: without shadows and bounces,
  * tolerance means nothing.
+ * Batches: a scene that comes in batches has the bits of one that does not. Each wave of rays, the camera's
+ * too, which are traced then, and the shadow rays of each light go through all batches; a scene that fits
+ * into one is asked for once. Of each wave the triangles that are hit are kept, up to 104 bytes per
+ * pixel. The budget is that of rays and batch together. rsh_find_features looks at buffers that are not
+ * there then: RSH_FEATURE_SMOOTH_NORMAL and _TEXTURE are the caller's to add. The progress callback is
+ * called before each batch of each wave, with how many there were. Where it, or the source, asks to
+ * stop, the strips that were finished are valid. BLOCKS while the host's memory is still to be copied.
  * BLOCKS once per strip where there can be waves after the first one, and per part of a wave, to
  * read how many rays they held: all have been enqueued by then, also those that turn out to be
  * empty. An approximate frame does so for each of three sets of pixels, and BLOCKS twice more to

@@ -26,6 +26,7 @@
 #ifndef RSH_MESH_LEAVING_H
 #define RSH_MESH_LEAVING_H
 
+#include "mesh/batch.h"
 #include "mesh/intersect.h"
 #include "mesh/plane.h"
 
@@ -43,7 +44,40 @@ typedef struct triangles_left {
 #if RSH_FILTER
     hit_filter filter; /* what rays do not see, be they from a triangle or not */
 #endif
+#if RSH_BATCHES
+    scene_batch batch;
+#endif
 } triangles_left;
+
+/* The triangle that a ray has left, by its number in the mesh; RSH_NO_HIT: none. */
+static uint triangle_left_by(const triangles_left* left, uint ray)
+{
+    const uint skip = left->skip[ray];
+#if RSH_BATCHES
+    if (!left->batch.skip_corners || skip == RSH_NO_HIT) return skip;
+    if (skip >= left->batch.skip_count) return RSH_OTHER_BATCH;
+    const uint triangle = left->batch.skip_numbers[skip] - left->batch.first_triangle;
+    return triangle < left->mesh.triangle_count ? triangle : RSH_OTHER_BATCH;
+#else
+    return skip;
+#endif
+}
+
+/* False: there is none, or it is no triangle. */
+static bool load_triangle_left_by(const triangles_left* left, uint ray, triangle_points* out)
+{
+    const uint skip = left->skip[ray];
+#if RSH_BATCHES
+    if (left->batch.skip_corners) {
+        if (skip >= left->batch.skip_count) return false;
+        __global const float* at = left->batch.skip_corners + 9ul * skip;
+        *out = (triangle_points){vload3(0, at), vload3(1, at), vload3(2, at)};
+        return true;
+    }
+#endif
+    return skip < left->mesh.triangle_count &&
+           load_triangle(left->mesh, left->vertices, left->indices, skip, out);
+}
 
 /* The side of a plane through the origin that the ray moves to: 1 or -1; 0: it stays in it, as
  * far as rounding tells. */
@@ -106,11 +140,9 @@ RSH_CALLED static bool separates(triangle_points of, rsh_ray ray, triangle_point
 /* Whether the hit of a ray is none. */
 RSH_CALLED static bool is_separated(const triangles_left* left, uint ray, triangle_points hit)
 {
-    const uint skip = left->skip[ray];
     triangle_points from;
     return separates(hit, left->rays[ray], hit, false) ||
-           (skip < left->mesh.triangle_count &&
-            load_triangle(left->mesh, left->vertices, left->indices, skip, &from) &&
+           (load_triangle_left_by(left, ray, &from) &&
             separates(from, left->rays[ray], hit, true));
 }
 

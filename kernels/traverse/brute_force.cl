@@ -9,12 +9,11 @@
 #include "rays/levels.h"
 #include "traverse/brute_force.h"
 
-__kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
-                              __global const uint* indices, __global const rsh_ray* rays,
-                              __global const uint* skip, uint ray_count,
-                              __global const uint* list_count, __global rsh_hit* hits,
-                              __global uint* occlusion, uint occlusion_bit,
-                              __global uint* tests_per_ray RSH_FILTER_PARAMETERS)
+__kernel void rsh_brute_force(
+    mesh_view mesh, __global const float* vertices, __global const uint* indices,
+    __global const rsh_ray* rays, __global const uint* skip, uint ray_count,
+    __global const uint* list_count, __global rsh_hit* hits, __global uint* occlusion,
+    uint occlusion_bit, __global uint* tests_per_ray RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     const uint first = get_global_id(0) * RSH_RAYS_PER_ITEM;
     const uint count = counted_rays(ray_count, list_count);
@@ -23,7 +22,8 @@ __kernel void rsh_brute_force(mesh_view mesh, __global const float* vertices,
     for (uint i = 0; i < RSH_RAYS_PER_ITEM; ++i)
         index[i] = first + i < count ? first + i : RSH_NO_RAY;
     item_hits found;
-    const triangles_left left = {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER};
+    const triangles_left left = {mesh, vertices, indices, rays,
+                                 skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH};
     hit_list list = hit_list_in(hits, occlusion_bit, 1);
     trace_by_force(&left, index, &list, &found);
     for (uint i = 0; i < RSH_RAYS_PER_ITEM && first + i < count; ++i) {

@@ -46,7 +46,7 @@ static void drop_left(const triangles_left* left, sheared_rays r, const uint* in
     const uint doubtful = RSH_LANE_BITS(hits->t <= limit);
     uint hit = RSH_LANE_BITS(hits->is_hit), none = 0;
     for (; hit; hit &= hit - 1) {
-        const uint k = 31 - clz(hit & -hit), skip = left->skip[index[k]];
+        const uint k = 31 - clz(hit & -hit), skip = triangle_left_by(left, index[k]);
         if (skip == triangle ||
             (skip != RSH_NO_HIT && (doubtful >> k & 1) && is_separated(left, index[k], points)))
             none |= 1u << k;

@@ -48,9 +48,10 @@ static uint common_axis(const ray_packet* packet, uint active)
     return ((is_x | is_y) & active) == 0 ? 2 : 3;
 }
 
-static void load_skip(ray_packet* packet, ray_tile tile, uint b, __global const uint* skip)
+static void load_skip(ray_packet* packet, ray_tile tile, uint b, const triangles_left* left)
 {
-#if RSH_WIDTH > 1
+#if RSH_WIDTH > 1 && !RSH_BATCHES
+    __global const uint* skip = left->skip;
     if (is_whole(tile, b)) {
         take_uints_apart(
             (uint16)(vload4(0, skip + ray_of(tile, b, 0)), vload4(0, skip + ray_of(tile, b, 4)),
@@ -63,7 +64,7 @@ static void load_skip(ray_packet* packet, ray_tile tile, uint b, __global const 
     uint lane[16];
     for (uint k = 0; k < 16; ++k) {
         const uint i = ray_of(tile, b, k);
-        lane[k] = i == RSH_NO_RAY ? RSH_NO_HIT : skip[i];
+        lane[k] = i == RSH_NO_RAY ? RSH_NO_HIT : triangle_left_by(left, i);
     }
     for_each_vector(v) packet->skip[v] = load_lanes(lane + RSH_WIDTH * v);
 }
@@ -78,7 +79,7 @@ static void load_packet(ray_packet* packet, const ray_tile* tile, uint b,
 #if RSH_FILTER
     packet->filter = &left->filter;
 #endif
-    if (packet->left) load_skip(packet, *tile, b, left->skip);
+    if (packet->left) load_skip(packet, *tile, b, left);
     ray_block given;
     load_block(*tile, b, left->rays, &given);
     floatv reach[RSH_VECTORS];

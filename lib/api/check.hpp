@@ -37,7 +37,12 @@ constexpr bool kHasScene = false;
 template <class Desc>
 constexpr bool kHasScene<Desc, std::void_t<decltype(Desc::scene)>> = true;
 
-// A caller's descriptor and the scene that it points to, both at this version's size.
+template <class Desc, class = void>
+constexpr bool kHasBatches = false;
+template <class Desc>
+constexpr bool kHasBatches<Desc, std::void_t<decltype(Desc::batches)>> = true;
+
+// A caller's descriptor, and the scene and source of batches that it points to, at this version's size.
 template <class Desc>
 class Received {
 public:
@@ -46,6 +51,7 @@ public:
         check_struct(callers, name, size_field);
         desc_ = widened(callers);
         if constexpr (kHasScene<Desc>) take_scene();
+        if constexpr (kHasBatches<Desc>) take_batches();
     }
     Received(const Received&) = delete;
     Received& operator=(const Received&) = delete;
@@ -60,8 +66,16 @@ private:
         desc_.scene = &scene_;
     }
 
+    void take_batches() {
+        if (!desc_.batches) return;
+        check_struct(desc_.batches, "batches", "batches.struct_size");
+        batches_ = widened(desc_.batches);
+        desc_.batches = &batches_;
+    }
+
     Desc desc_;
     rsh_scene scene_ = {};
+    rsh_batch_source batches_ = {};
 };
 
 Context& checked_context(rsh_context context);

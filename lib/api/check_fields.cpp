@@ -30,4 +30,8 @@ void check_min_weight(float weight) {
     require(weight >= 0 && std::isfinite(weight), "min_weight", weight, "finite, not negative");
 }
 
+void refuse(const void* given, const char* field, const char* with) {
+    if (given) throw Error(RSH_INVALID_VALUE, field, ": is set, must be NULL with ", with);
+}
+
 }  // namespace rsh

@@ -13,6 +13,11 @@ constexpr cl_uint kMaxSide = 16384;
 
 void check_buffers(Buffers& buffers, const rsh_geometry& geometry);
 void check_buffers(Buffers& buffers, const rsh_scene& scene);
+// Triangles that come in batches, in place of these.
+void check_source(const rsh_batch_source& source, const rsh_geometry& geometry);
+void refuse(const void* given, const char* field, const char* with);
+// The triangles that rays have left.
+void check_skip(Buffers& buffers, const rsh_traverse_desc& desc);
 // What a traversal is to find.
 void check_answers(Buffers& buffers, const rsh_traverse_desc& desc);
 

@@ -47,6 +47,30 @@ void check_window(const rsh_window& window, cl_uint width, cl_uint height) {
     check_window("window.y", window.y, "window.picture_height", window.picture_height, height);
 }
 
+// Without what its batches bring.
+rsh_scene scene_with_buffers(const rsh_frame_desc& desc) {
+    rsh_scene scene = *desc.scene;
+    if (desc.batches) scene.features &= ~(RSH_FEATURE_SMOOTH_NORMAL | RSH_FEATURE_TEXTURE);
+    return scene;
+}
+
+void check_batches(const rsh_frame_desc& desc) {
+    const rsh_scene& scene = *desc.scene;
+    const cl_uint attributes = desc.batches->attributes;
+    check_source(*desc.batches, scene.geometry);
+    refuse(scene.normals, "scene.normals", "batches");
+    refuse(scene.texcoords, "scene.texcoords", "batches");
+    refuse(scene.material_ids, "scene.material_ids", "batches");
+    refuse(desc.bounds, "bounds", "batches");
+    require(!desc.audit_rays, "audit_rays", desc.audit_rays, "0 with batches");
+    if (scene.features & RSH_FEATURE_SMOOTH_NORMAL)
+        require(attributes & RSH_BATCH_NORMALS, "batches.attributes", attributes,
+                "with RSH_BATCH_NORMALS for RSH_FEATURE_SMOOTH_NORMAL");
+    if (scene.features & RSH_FEATURE_TEXTURE)
+        require(attributes & RSH_BATCH_TEXCOORDS, "batches.attributes", attributes,
+                "with RSH_BATCH_TEXCOORDS for RSH_FEATURE_TEXTURE");
+}
+
 }  // namespace
 
 void check_shape(const rsh_rasterize_desc& desc) {
@@ -80,11 +104,12 @@ void check_shape(const rsh_frame_desc& desc) {
     require(desc.mode <= RSH_BOUND_QUALITY, "mode", desc.mode, "an RSH_BOUND_... value");
     require(desc.tolerance >= 0 && std::isfinite(desc.tolerance), "tolerance", desc.tolerance,
             "finite, not negative");
+    if (desc.batches) check_batches(desc);
 }
 
 void check_buffers(const Context& context, const rsh_frame_desc& desc) {
     Buffers buffers(context);
-    check_buffers(buffers, *desc.scene);
+    check_buffers(buffers, scene_with_buffers(desc));
     buffers.out("colour", desc.colour, cl_ulong{desc.width} * desc.height * 16);
     require(!desc.mode || desc.bounds, "mode", desc.mode, "0 without bounds");
     buffers.optional_out("bounds", desc.bounds,

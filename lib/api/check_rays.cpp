@@ -30,6 +30,18 @@ void check_query(const Desc& desc) {
                 kMaxHits);
 }
 
+// Triangles that are a batch of a scene, see rsh_traverse.
+void check_batch(const rsh_traverse_desc& desc) {
+    require(desc.continued <= 1, "continued", desc.continued, "0 or 1");
+    const cl_uint most = RSH_NO_HIT - 1 - desc.geometry.triangle_count;
+    require(desc.first_triangle <= most, "first_triangle", desc.first_triangle, "at most ",
+            most, " with that many triangles");
+    require(desc.skip_count <= kMaxRays, "skip_count", desc.skip_count, "at most ", kMaxRays);
+    if (desc.continued || desc.first_triangle)
+        require(desc.query <= RSH_QUERY_ANY, "query", desc.query,
+                "RSH_QUERY_CLOSEST or RSH_QUERY_ANY with continued or first_triangle");
+}
+
 void check_hit_rays(Buffers& buffers, cl_uint ray_count, cl_mem rays, cl_mem hits) {
     buffers.in("rays", rays, cl_ulong{ray_count} * sizeof(rsh_ray));
     buffers.in("hits", hits, cl_ulong{ray_count} * sizeof(rsh_hit));
@@ -63,9 +75,24 @@ void check_shape(const rsh_traverse_desc& desc) {
     check_query(desc);
     check_cull(desc.cull);
     check_budget(desc.budget);
+    check_batch(desc);
     const Engine& engine = find_engine(desc.engine);
     require(!desc.tests_per_ray || engine.counts_tests_per_ray(), "tests_per_ray: engine",
             engine.name(), "tiles or brute_force");
+}
+
+void check_skip(Buffers& buffers, const rsh_traverse_desc& desc) {
+    buffers.optional_in("skip", desc.skip, ray_count(desc.width, desc.height) * 4);
+    if (!desc.skip_corners) {
+        if (desc.skip && (desc.continued || desc.first_triangle))
+            throw Error(RSH_INVALID_VALUE,
+                        "skip_corners: is NULL, must not be with skip and a batch of a scene");
+        return;
+    }
+    require(desc.query <= RSH_QUERY_ANY, "query", desc.query,
+            "RSH_QUERY_CLOSEST or RSH_QUERY_ANY with skip_corners");
+    buffers.in("skip_corners", desc.skip_corners, cl_ulong{desc.skip_count} * 36);
+    buffers.in("skip_numbers", desc.skip_numbers, cl_ulong{desc.skip_count} * 4);
 }
 
 void check_answers(Buffers& buffers, const rsh_traverse_desc& desc) {
@@ -85,7 +112,7 @@ void check_buffers(const Context& context, const rsh_traverse_desc& desc) {
     const Engine& engine = find_engine(desc.engine);
     buffers.in("rays", desc.rays, rays * sizeof(rsh_ray));
     buffers.optional_in("list_count", desc.list_count, 4);
-    buffers.optional_in("skip", desc.skip, rays * 4);
+    check_skip(buffers, desc);
     buffers.optional_in("ray_masks", desc.ray_masks, rays * 4);
     buffers.optional_out("tests_per_ray", desc.tests_per_ray, rays * 4);
     if (engine.node_shape() != RSH_SHAPE_DEFAULT) {

@@ -8,6 +8,10 @@ namespace rsh {
 namespace {
 
 constexpr cl_uint kMaxTriangles = 1u << 28;
+// The numbers behind them are no triangles of any batch: see kernels/mesh/batch.h.
+constexpr cl_uint kMaxInBatches = 0u - kMaxTriangles;
+constexpr cl_uint kBatchAttributes =
+    RSH_BATCH_INDICES | RSH_BATCH_NORMALS | RSH_BATCH_TEXCOORDS | RSH_BATCH_MATERIAL_IDS;
 
 cl_ulong stride_of(const rsh_geometry& geometry) {
     return geometry.vertex_stride ? geometry.vertex_stride : 12;
@@ -60,6 +64,22 @@ void check_shape(const rsh_geometry& geometry) {
     for (const cl_mem buffer : geometry.reserved_buffers)
         if (buffer)
             throw Error(RSH_INVALID_VALUE, "geometry.reserved_buffers: is set, must be NULL");
+}
+
+void check_source(const rsh_batch_source& source, const rsh_geometry& geometry) {
+    if (!source.fill) throw Error(RSH_INVALID_VALUE, "batches.fill: is NULL, must not be");
+    require(source.triangle_count < kMaxInBatches, "batches.triangle_count",
+            source.triangle_count, "below ", kMaxInBatches);
+    require((source.attributes & ~kBatchAttributes) == 0, "batches.attributes",
+            source.attributes, "made of RSH_BATCH_ bits");
+    require(source.batch_triangles < kMaxTriangles, "batches.batch_triangles",
+            source.batch_triangles, "below ", kMaxTriangles);
+    require(geometry.triangle_count == 0, "geometry.triangle_count", geometry.triangle_count,
+            "0 with batches");
+    require(geometry.vertex_count == 0, "geometry.vertex_count", geometry.vertex_count,
+            "0 with batches");
+    require(geometry.range_count == 0, "geometry.range_count", geometry.range_count,
+            "0 with batches");
 }
 
 void check_buffers(Buffers& buffers, const rsh_geometry& geometry) {

@@ -37,10 +37,6 @@ void for_each_floats(const rsh_trace_desc& desc, Use use) {
     use(kTmax, desc.tmax, kNumberBytes);
 }
 
-void refuse(const void* given, const char* field, const char* with) {
-    if (given) throw Error(RSH_INVALID_VALUE, field, ": is set, must be NULL with ", with);
-}
-
 bool has_hits(const rsh_trace_desc& desc) {
     return desc.query == RSH_QUERY_CLOSEST || desc.query == RSH_QUERY_ALL;
 }
@@ -60,10 +56,23 @@ void check_ray_buffers(Buffers& buffers, const rsh_trace_desc& desc, cl_ulong ra
         });
 }
 
+void check_batches(const rsh_trace_desc& desc) {
+    check_source(*desc.batches, desc.geometry);
+    require(desc.query <= RSH_QUERY_ANY, "query", desc.query,
+            "RSH_QUERY_CLOSEST or RSH_QUERY_ANY with batches");
+    require(!desc.continued, "continued", desc.continued, "0 with batches");
+    require(!desc.first_triangle, "first_triangle", desc.first_triangle, "0 with batches");
+    refuse(desc.bounds, "bounds", "batches");
+    refuse(desc.normals, "normals", "batches");
+    refuse(desc.points, "points", "batches");
+    refuse(desc.geometry_ids, "geometry_ids", "batches");
+}
+
 }  // namespace
 
 void check_shape(const rsh_trace_desc& desc) {
     check_shape(trace_traverse(desc));
+    if (desc.batches) check_batches(desc);
     require(desc.converging <= 1, "converging", desc.converging, "0 or 1");
     for_each_floats(desc,
                     [&](const FloatsNames& names, const rsh_ray_floats& floats, cl_uint bytes) {
@@ -83,7 +92,8 @@ void check_buffers(const Context& context, const rsh_trace_desc& desc) {
     check_buffers(buffers, desc.geometry);
     check_ray_buffers(buffers, desc, rays);
     buffers.optional_in("list_count", desc.list_count, 4);
-    buffers.optional_in("skip", desc.skip, rays * 4);
+    check_skip(buffers, pass);
+    if (desc.batches && desc.skip) require_not_null(desc.skip_corners, "skip_corners");
     buffers.optional_in("ray_masks", desc.ray_masks, rays * 4);
     if (find_engine(desc.engine).node_shape() != RSH_SHAPE_DEFAULT)
         buffers.optional_in("bounds", desc.bounds, bounds_for(pass.shape).bytes(desc.geometry));

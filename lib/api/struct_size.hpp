@@ -37,6 +37,7 @@ RSH_FIRST_VERSION(rsh_bound_desc, mode);
 RSH_FIRST_VERSION(rsh_build_desc, scratch);
 RSH_FIRST_VERSION(rsh_traverse_desc, progress_user);
 RSH_FIRST_VERSION(rsh_trace_desc, cull);
+RSH_FIRST_VERSION(rsh_batch_source, batch_triangles);
 RSH_FIRST_VERSION(rsh_audit_desc, report);
 RSH_FIRST_VERSION(rsh_spawn_desc, active_count);
 RSH_FIRST_VERSION(rsh_spawn_wave_desc, scratch);

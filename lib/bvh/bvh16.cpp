@@ -104,6 +104,12 @@ public:
         return RSH_BVH_WORDS(bvh) * sizeof(cl_uint);
     }
 
+    size_t bytes_up_to(cl_uint triangles) const override {
+        return most_bytes_up_to(triangles, [](cl_uint count) {
+            return RSH_BVH_WORDS(bvh_layout_of(count)) * sizeof(cl_uint);
+        });
+    }
+
     Layout scratch(const Context& context, const rsh_geometry& geometry,
                    cl_uint mode) const override {
         Layout layout(context.caps.alignment);

@@ -12,6 +12,8 @@ public:
     virtual ~SceneBounds() = default;
     virtual cl_uint shape() const noexcept = 0;  // RSH_SHAPE_... that nodes must have
     virtual size_t bytes(const rsh_geometry& geometry) const = 0;
+    // Of that many triangles, or of fewer.
+    virtual size_t bytes_up_to(cl_uint triangles) const = 0;
     virtual Layout scratch(const Context& context, const rsh_geometry& geometry,
                            cl_uint mode) const = 0;  // RSH_SHAPE_...
     virtual void bound(Recorder& recorder, const rsh_bound_desc& desc) const = 0;

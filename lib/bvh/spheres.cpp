@@ -15,6 +15,12 @@ public:
         return sizeof(spheres_head) + size_t{geometry.triangle_count} * 16;
     }
 
+    size_t bytes_up_to(cl_uint triangles) const override {
+        rsh_geometry geometry = {};
+        geometry.triangle_count = triangles;
+        return bytes(geometry);
+    }
+
     Layout scratch(const Context& context, const rsh_geometry&, cl_uint) const override {
         return Layout(context.caps.alignment);
     }

@@ -1,6 +1,7 @@
 // layout.cpp - how much memory a frame takes, part by part.
 #include <algorithm>
 
+#include "batches/find_hits.hpp"
 #include "bvh/scene_bounds.hpp"
 #include "camera/rasterize.hpp"
 #include "frame/memory.hpp"
@@ -15,17 +16,19 @@ namespace {
 
 // What traversals of up to that many rays need, in a screen or in a list. A last strip of one row is
 // a list as well.
-void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
+void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc& desc,
+                   cl_uint batch_triangles) {
     const NodeShape& shape = find_shape(desc.shape);
-    const Engine& engine = find_engine(desc.engine);
     size_t nodes = 0, build = 0, traverse = 0;
     const auto reserve = [&](cl_uint width, cl_uint height) {
         const ray_levels levels = shape.levels(width, height);
         nodes = std::max(nodes, shape.bytes(levels));
         build = std::max(build, shape.scratch(context, levels).bytes());
         const rsh_traverse_desc pass = traverse_of(desc, width, height);
-        traverse =
-            std::max(traverse, engine.scratch(context, pass, BoundsFrom::caller).bytes());
+        traverse = std::max(traverse,
+                            desc.batches
+                                ? batch_scratch_bytes(context, pass, batch_triangles)
+                                : traverse_scratch(context, pass, BoundsFrom::caller).bytes());
     };
     const bool has_lists = needs_bounces(desc) || is_approximate(desc);
     reserve(desc.width, desc.height);
@@ -38,14 +41,29 @@ void add_traversal(Layout& layout, const Context& context, const rsh_frame_desc&
 }
 
 // What rays below the camera's need, and only if there are any.
-void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
-    const SceneBounds& bounds = bounds_for(find_shape(desc.shape).id());
-    const rsh_geometry& geometry = desc.scene->geometry;
+void add_secondary(Layout& layout, const Context& context, const rsh_frame_desc& desc,
+                   cl_uint batch_triangles) {
     layout.add_array<cl_uint>("wrong buffers", 1);
     layout.add_array<cl_uint>("skip", size_t{desc.width} * desc.height);
+    add_traversal(layout, context, desc, batch_triangles);
+}
+
+void add_bounds(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
+    const SceneBounds& bounds = bounds_for(find_shape(desc.shape).id());
+    const rsh_geometry& geometry = desc.scene->geometry;
     if (!desc.bounds) layout.add("bounds", bounds.bytes(geometry));
     layout.add("bound scratch", bounds.scratch(context, geometry, desc.mode).bytes());
-    add_traversal(layout, context, desc);
+}
+
+// The triangles that the rays of each wave hit, and the batch that they are taken from.
+void add_batches(Layout& layout, const Context& context, const rsh_frame_desc& desc,
+                 cl_uint batch_triangles) {
+    const BatchNeeds needs = batch_needs(desc);
+    const size_t rays = size_t{desc.width} * desc.height;
+    const cl_uint waves = needs_bounces(desc) ? desc.bounces + 1 : 1;
+    for (cl_uint bounce = 0; bounce < waves; ++bounce)
+        reserve_seen(layout, needs.attributes, bounce, rays);
+    reserve_batch(layout, context, needs, batch_triangles);
 }
 
 void add_waves(Layout& layout, const Context& context, const rsh_frame_desc& desc) {
@@ -89,12 +107,13 @@ cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
 }
 
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc) {
-    return strip_scratch(context, desc, strip_rows(context, desc));
+    return strip_scratch(context, desc, strip_size(context, desc));
 }
 
-Layout strip_scratch(const Context& context, const rsh_frame_desc& whole, cl_uint rows) {
+Layout strip_scratch(const Context& context, const rsh_frame_desc& whole,
+                     const StripSize& size) {
     rsh_frame_desc desc = whole;
-    desc.height = rows;
+    desc.height = size.rows;
     const size_t pixels = size_t{desc.width} * desc.height;
     Layout layout(context.caps.alignment);
     layout.add_array<rsh_ray>("rays 0", pixels);
@@ -108,7 +127,11 @@ Layout strip_scratch(const Context& context, const rsh_frame_desc& whole, cl_uin
         layout.add_array<cl_uint>("occlusion", pixels);
         layout.add_array<rsh_float4>("light colour", pixels);
     }
-    if (needs_shadows(desc) || needs_bounces(desc)) add_secondary(layout, context, desc);
+    if (needs_traversals(desc)) add_secondary(layout, context, desc, size.triangles);
+    if (desc.batches)
+        add_batches(layout, context, desc, size.triangles);
+    else if (needs_traversals(desc))
+        add_bounds(layout, context, desc);
     return layout;
 }
 

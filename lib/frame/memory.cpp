@@ -11,13 +11,17 @@ namespace rsh {
 
 FrameMemory::FrameMemory(Recorder& recorder, const rsh_frame_desc& desc)
     : whole_(desc),
-      rows_(strip_rows(recorder.context(), desc)),
+      size_(strip_size(recorder.context(), desc)),
       desc_(desc),
-      scratch_(recorder, strip_scratch(recorder.context(), desc, rows_), desc.scratch) {}
+      scratch_(recorder, strip_scratch(recorder.context(), desc, size_), desc.scratch) {
+    for (cl_uint bounce = 0; is_in_batches() && bounce <= (has_bounces() ? desc.bounces : 0);
+         ++bounce)
+        seen_scenes_.push_back(scene_of(*desc.scene, seen(bounce)));
+}
 
 bool FrameMemory::take_strip(cl_uint first_row) {
     if (first_row >= whole_.height) return false;
-    desc_.height = std::min(rows_, whole_.height - first_row);
+    desc_.height = std::min(size_.rows, whole_.height - first_row);
     desc_.window.y = whole_.window.y + first_row;
     desc_.window.picture_height = picture_side(whole_.window.picture_height, whole_.height);
     desc_.window.picture_width = picture_side(whole_.window.picture_width, whole_.width);
@@ -41,12 +45,16 @@ cl_mem FrameMemory::weights(const Wave& wave) const {
     return wave.bounce > 0 ? at("weights", wave.bounce) : nullptr;
 }
 
+const rsh_scene* FrameMemory::scene(cl_uint bounce) const {
+    return is_in_batches() ? &seen_scenes_[bounce] : desc_.scene;
+}
+
 cl_mem FrameMemory::bounds() const {
-    return desc_.bounds ? desc_.bounds : scratch_["bounds"];
+    return desc_.bounds ? desc_.bounds : scratch_.find("bounds");
 }
 
 bool FrameMemory::traces_rays() const {
-    return needs_shadows(desc_) || needs_bounces(desc_);
+    return needs_traversals(desc_);
 }
 
 bool FrameMemory::casts_shadows() const {
@@ -101,6 +109,31 @@ rsh_traverse_desc FrameMemory::traverse(const Wave& wave) const {
     pass.scratch = scratch_["traverse"];
     pass.skip = skip();
     pass.list_count = list_count(wave);
+    return wave.bounce > 0 ? leaving(pass, wave.bounce - 1) : pass;
+}
+
+rsh_traverse_desc FrameMemory::leaving(rsh_traverse_desc pass, cl_uint bounce) const {
+    if (!is_in_batches()) return pass;
+    const SeenTriangles left = seen(bounce);
+    pass.skip_corners = left.corners;
+    pass.skip_numbers = left.numbers;
+    pass.skip_count = left.count;
+    return pass;
+}
+
+rsh_build_desc FrameMemory::build_screen() const {
+    rsh_build_desc pass = build(screen());
+    pass.rays = pixels().screen_rays;
+    return pass;
+}
+
+rsh_traverse_desc FrameMemory::traverse_screen() const {
+    const PixelPass all = pixels();
+    rsh_traverse_desc pass = traverse_of(desc_, desc_.width, desc_.height);
+    pass.rays = all.screen_rays;
+    pass.nodes = scratch_["nodes"];
+    pass.hits = all.screen_hits;
+    pass.scratch = scratch_["traverse"];
     return pass;
 }
 
@@ -154,7 +187,7 @@ PixelPass FrameMemory::rest_pixels(cl_uint count) const {
 }
 
 BlendPass FrameMemory::blend(cl_uint step) const {
-    return {desc_.scene,     grid_of(desc_.width, desc_.height, step),
+    return {scene(0),        grid_of(desc_.width, desc_.height, step),
             desc_.tolerance, scratch_["screen hits"],
             colour_.get(),   scratch_["listed pixels"]};
 }
@@ -171,7 +204,7 @@ rsh_reduce_desc FrameMemory::pack_listed(cl_uint step) const {
 rsh_shade_desc FrameMemory::shade(const Wave& wave) const {
     rsh_shade_desc pass = {};
     pass.struct_size = sizeof pass;
-    pass.scene = desc_.scene;
+    pass.scene = scene(wave.bounce);
     pass.ray_count = wave.rays();
     pass.rays = at("rays", wave.bounce);
     pass.hits = at("hits", wave.bounce);
@@ -184,7 +217,7 @@ rsh_shade_desc FrameMemory::shade(const Wave& wave) const {
 
 WavePass FrameMemory::next(const Wave& wave, const wave_part& part, bool is_counted) const {
     WavePass pass = {};
-    pass.scene = desc_.scene;
+    pass.scene = scene(wave.bounce);
     pass.part = part;
     pass.list_count = is_counted ? list_count(wave) : nullptr;
     pass.min_weight = desc_.min_weight;
@@ -207,7 +240,7 @@ WavePass FrameMemory::next(const Wave& wave, const wave_part& part, bool is_coun
 rsh_spawn_desc FrameMemory::spawn_shadow(const Wave& wave, cl_uint light) const {
     rsh_spawn_desc pass = {};
     pass.struct_size = sizeof pass;
-    pass.scene = desc_.scene;
+    pass.scene = scene(wave.bounce);
     pass.kind = RSH_SPAWN_SHADOW;
     pass.light = light;
     pass.ray_count = wave.rays();
@@ -244,7 +277,7 @@ Pass FrameMemory::of_shadow(Pass pass, cl_uint light) const {
 }
 
 rsh_traverse_desc FrameMemory::traverse_shadow(const Wave& wave, cl_uint light) const {
-    return of_shadow(traverse(wave), light);
+    return leaving(of_shadow(traverse(wave), light), wave.bounce);
 }
 
 rsh_audit_desc FrameMemory::audit_shadow(const Wave& wave, cl_uint light) const {

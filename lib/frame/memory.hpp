@@ -5,9 +5,13 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "approximate/approximate.hpp"
+#include "batches/seen_triangles.hpp"
 #include "device/cl/scratch.hpp"
+#include "frame/passes.hpp"
+#include "frame/strips.hpp"
 #include "rays/node_shape.hpp"
 #include "shade/shade.hpp"
 #include "shade/wave.hpp"
@@ -17,8 +21,8 @@ namespace rsh {
 // The strategy of all its traversals; see reduce/strategy.hpp.
 cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc);
 Layout frame_scratch(const Context& context, const rsh_frame_desc& desc);
-// With strips of so many rows.
-Layout strip_scratch(const Context& context, const rsh_frame_desc& desc, cl_uint rows);
+// With strips and batches of that size.
+Layout strip_scratch(const Context& context, const rsh_frame_desc& desc, const StripSize& size);
 
 // Rays of a bounce: a screen, or a list of height 1.
 struct Wave {
@@ -33,13 +37,13 @@ public:
 
     // The strip that begins in that row; false: there is none.
     bool take_strip(cl_uint first_row);
-    cl_uint rows() const { return rows_; }
+    cl_uint rows() const { return size_.rows; }
     Wave screen() const { return {0, desc_.width, desc_.height}; }
     // Of an approximate frame: first waves of some pixels.
     Wave grid() const { return {0, grid_.columns, grid_.rows}; }
     Wave rest(cl_uint count) const { return {0, count, 1}; }
     // Rays that a wave after the first one may hold.
-    cl_uint most_rays() const { return desc_.width * rows_; }
+    cl_uint most_rays() const { return desc_.width * size_.rows; }
     // Such a wave, which has up to `most` rays. How many, only list_count says.
     Wave packed(cl_uint bounce, cl_ulong most) const {
         return {bounce, static_cast<cl_uint>(std::min<cl_ulong>(most, most_rays())), 1};
@@ -48,6 +52,7 @@ public:
     bool casts_shadows() const;
     bool has_bounces() const;
     bool is_approximate() const;
+    bool is_in_batches() const { return desc_.batches != nullptr; }
     // Whether the host waits for counts of the device.
     bool reads_counts() const { return has_bounces() || is_approximate(); }
 
@@ -58,6 +63,9 @@ public:
     rsh_traverse_desc traverse(const Wave& wave) const;
     rsh_audit_desc audit(const Wave& wave) const;
     rsh_audit_desc audit_screen() const;
+    // Of a scene in batches, in which the camera's rays are traced like others.
+    rsh_build_desc build_screen() const;
+    rsh_traverse_desc traverse_screen() const;
     rsh_shade_desc shade(const Wave& wave) const;
     // From a part of a wave to the next one. is_counted: of that part only as many rays as the
     // wave has.
@@ -67,6 +75,13 @@ public:
     rsh_build_desc build_shadow(const Wave& wave, cl_uint light) const;
     rsh_traverse_desc traverse_shadow(const Wave& wave, cl_uint light) const;
     rsh_audit_desc audit_shadow(const Wave& wave, cl_uint light) const;
+
+    // Of a scene in batches: the batch, and the triangles that a wave hits.
+    BatchNeeds batch_needs() const { return rsh::batch_needs(desc_); }
+    BatchMemory batch() const { return batch_memory(scratch_, size_.triangles); }
+    SeenTriangles seen(cl_uint bounce) const {
+        return seen_triangles(scratch_, bounce, most_rays());
+    }
 
     // Of an approximate frame: the pixels of its first grid; between those of a grid, the ones that
     // are not like them.
@@ -97,14 +112,19 @@ private:
     PixelPass pixels() const;
     cl_mem at(const char* name, cl_uint bounce) const;
     cl_mem weights(const Wave& wave) const;
+    // What the hits of that bounce name triangles of.
+    const rsh_scene* scene(cl_uint bounce) const;
+    // Rays that left triangles which those of that bounce hit.
+    rsh_traverse_desc leaving(rsh_traverse_desc pass, cl_uint bounce) const;
     cl_mem bounds() const;
 
     const rsh_frame_desc whole_;
-    const cl_uint rows_;   // of all strips but the last
-    rsh_frame_desc desc_;  // of the strip
-    pixel_grid grid_;      // the first one of the strip
+    const StripSize size_;  // of all strips but the last
+    rsh_frame_desc desc_;   // of the strip
+    pixel_grid grid_;       // the first one of the strip
     Scratch scratch_;
-    Buffer colour_;  // of the strip
+    std::vector<rsh_scene> seen_scenes_;  // per bounce, of a scene in batches
+    Buffer colour_;                       // of the strip
 };
 
 }  // namespace rsh

@@ -23,6 +23,18 @@ bool needs_bounces(const rsh_frame_desc& desc) {
            (desc.scene->features & (RSH_FEATURE_REFLECTION | RSH_FEATURE_REFRACTION)) != 0;
 }
 
+bool needs_traversals(const rsh_frame_desc& desc) {
+    return needs_shadows(desc) || needs_bounces(desc) || desc.batches;
+}
+
+BatchNeeds batch_needs(const rsh_frame_desc& desc) {
+    const rsh_features features = desc.scene->features;
+    cl_uint needed = RSH_BATCH_INDICES | RSH_BATCH_MATERIAL_IDS;
+    if (features & RSH_FEATURE_SMOOTH_NORMAL) needed |= RSH_BATCH_NORMALS;
+    if (features & RSH_FEATURE_TEXTURE) needed |= RSH_BATCH_TEXCOORDS;
+    return {desc.batches, desc.batches->attributes & needed, desc.engine, desc.shape};
+}
+
 bool is_approximate(const rsh_frame_desc& desc) {
     return desc.tolerance > 0 && (needs_shadows(desc) || needs_bounces(desc));
 }

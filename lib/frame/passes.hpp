@@ -7,11 +7,16 @@
 #include <string>
 
 #include "approximate/approximate.hpp"
+#include "batches/batch_memory.hpp"
 
 namespace rsh {
 
 bool needs_shadows(const rsh_frame_desc& desc);
 bool needs_bounces(const rsh_frame_desc& desc);
+// Whether rays are traced, and not only rasterized.
+bool needs_traversals(const rsh_frame_desc& desc);
+// What shading and traversals need of the batches.
+BatchNeeds batch_needs(const rsh_frame_desc& desc);
 // Where no rays come after the camera's, there is nothing to leave out.
 bool is_approximate(const rsh_frame_desc& desc);
 

@@ -1,4 +1,5 @@
-// strips.hpp - into how many strips of rows a frame is cut, so that its memory keeps to the budget.
+// strips.hpp - into how many strips of rows a frame is cut, and its scene into batches of triangles, so that
+// its memory keeps to the budget.
 #pragma once
 
 #include "device/cl/context.hpp"
@@ -6,8 +7,12 @@
 
 namespace rsh {
 
-// Rows of a strip, but for the last one, which may have less. Throws where not even a strip of the
-// least height fits into what the caller allows.
-cl_uint strip_rows(const Context& context, const rsh_frame_desc& desc);
+struct StripSize {
+    cl_uint rows;       // of a strip; the last one may have less
+    cl_uint triangles;  // of a batch, at most; 0: the scene does not come in batches
+};
+
+// The largest that fits. Throws where not even the least fits into what the caller allows.
+StripSize strip_size(const Context& context, const rsh_frame_desc& desc);
 
 }  // namespace rsh

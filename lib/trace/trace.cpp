@@ -1,5 +1,9 @@
 #include "trace/trace.hpp"
 
+#include <algorithm>
+
+#include "batches/find_hits.hpp"
+#include "device/error.hpp"
 #include "rays/levels.hpp"
 #include "rays/node_shape.hpp"
 #include "rays/pack_rays.hpp"
@@ -26,6 +30,42 @@ void build_nodes(Recorder& recorder, const rsh_trace_desc& desc, const rsh_trave
     pass.scratch = scratch;
     pass.list_count = rays.list_count;
     build(recorder, pass);
+}
+
+BatchNeeds needs_of(const rsh_trace_desc& desc) {
+    return {desc.batches, desc.batches->attributes & RSH_BATCH_INDICES, desc.engine,
+            trace_traverse(desc).shape};
+}
+
+size_t batch_bytes(const Context& context, const rsh_trace_desc& desc, cl_uint triangles) {
+    Layout layout(context.caps.alignment);
+    reserve_batch(layout, context, needs_of(desc), triangles);
+    return layout.bytes();
+}
+
+// Of a batch, at most.
+cl_uint batch_triangles(const Context& context, const rsh_trace_desc& desc) {
+    const rsh_batch_source& source = *desc.batches;
+    const cl_ulong budget = desc.batch_budget ? desc.batch_budget : context.caps.usual_budget();
+    const cl_uint fits = fitting_triangles(source, budget, [&](cl_uint triangles) {
+        return batch_bytes(context, desc, triangles);
+    });
+    const cl_uint least = least_batch_triangles(source);
+    if (fits == 0 && least > 0 && desc.batch_budget)
+        throw Error(RSH_INVALID_VALUE, "batch_budget: is ", desc.batch_budget,
+                    ", must be 0 or at least ", batch_bytes(context, desc, least));
+    return std::max(fits, least);
+}
+
+void trace_batches(Recorder& recorder, const rsh_trace_desc& desc, rsh_traverse_desc pass,
+                   const Scratch& scratch) {
+    const BatchMemory memory = batch_memory(scratch, batch_triangles(recorder.context(), desc));
+    const rsh_traverse_desc pass_of_caller = pass;
+    cl_uint batch = 0;
+    BatchFeed feed(recorder, needs_of(desc), memory,
+                   [&] { report_progress(pass_of_caller, batch++, 0); });
+    pass.progress = nullptr;  // an engine would call it for batches of its own
+    find_hits(recorder, feed, memory, pass, nullptr);
 }
 
 }  // namespace
@@ -56,6 +96,11 @@ rsh_traverse_desc trace_traverse(const rsh_trace_desc& desc) {
     pass.list_count = desc.list_count;
     pass.ray_masks = desc.ray_masks;
     pass.cull = desc.cull;
+    pass.continued = desc.continued;
+    pass.first_triangle = desc.first_triangle;
+    pass.skip_corners = desc.skip_corners;
+    pass.skip_numbers = desc.skip_numbers;
+    pass.skip_count = desc.skip_count;
     return pass;
 }
 
@@ -67,7 +112,13 @@ Layout trace_scratch(const Context& context, const rsh_trace_desc& desc) {
     const rsh_traverse_desc pass = trace_traverse(desc);
     Layout layout(context.caps.alignment);
     if (!desc.rays) layout.add_array<rsh_ray>("rays", ray_count(desc.width, desc.height));
-    layout.add("traverse", traverse_scratch(context, pass).bytes());
+    if (desc.batches) {
+        const cl_uint triangles = batch_triangles(context, desc);
+        reserve_batch(layout, context, needs_of(desc), triangles);
+        layout.add("traverse", batch_scratch_bytes(context, pass, triangles));
+    } else {
+        layout.add("traverse", traverse_scratch(context, pass).bytes());
+    }
     if (!has_nodes(desc)) return layout;
     const NodeShape& shape = find_shape(pass.shape);
     const ray_levels levels = shape.levels(desc.width, desc.height);
@@ -77,6 +128,7 @@ Layout trace_scratch(const Context& context, const rsh_trace_desc& desc) {
 }
 
 void trace(Recorder& recorder, const rsh_trace_desc& desc) {
+    if (desc.batches) recorder.wait_for_callers();
     const Scratch scratch(recorder, trace_scratch(recorder.context(), desc), desc.scratch);
     rsh_traverse_desc pass = trace_traverse(desc);
     if (!desc.rays) pass.rays = scratch["rays"];
@@ -84,6 +136,7 @@ void trace(Recorder& recorder, const rsh_trace_desc& desc) {
     pass.nodes = scratch.find("nodes");
     if (has_nodes(desc)) build_nodes(recorder, desc, pass, scratch["build scratch"]);
     pass.scratch = scratch["traverse"];
+    if (desc.batches) return trace_batches(recorder, desc, pass, scratch);
     traverse(recorder, pass);
     describe_hits(recorder, pass, {desc.normals, desc.points, desc.geometry_ids});
 }

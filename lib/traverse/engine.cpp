@@ -6,12 +6,49 @@
 #include "rays/node_shape.hpp"
 #include "reduce/strategy.hpp"
 #include "traverse/list_hits.hpp"
+#include "traverse/merge_hits.hpp"
 
 namespace rsh {
+namespace {
+
+// Of batches of a scene, for an engine that knows of one.
+bool is_merged(const rsh_traverse_desc& desc) {
+    return desc.query == RSH_QUERY_CLOSEST && (desc.continued || desc.first_triangle) &&
+           !find_engine(desc.engine).continues_hits();
+}
+
+Layout merged_scratch(const Context& context, const rsh_traverse_desc& desc,
+                      BoundsFrom bounds) {
+    const size_t rays = ray_count(desc.width, desc.height);
+    Layout layout(context.caps.alignment);
+    if (desc.continued) layout.add_array<rsh_ray>("shortened", rays);
+    layout.add_array<rsh_hit>("found", rays);
+    layout.add("engine scratch",
+               find_engine(desc.engine).scratch(context, desc, bounds).bytes());
+    return layout;
+}
+
+void traverse_merged(Recorder& recorder, const rsh_traverse_desc& desc) {
+    const Scratch scratch(recorder, merged_scratch(recorder.context(), desc, bounds_from(desc)),
+                          desc.scratch);
+    rsh_traverse_desc pass = desc;
+    pass.hits = scratch["found"];
+    pass.scratch = scratch["engine scratch"];
+    if (desc.continued) {
+        pass.rays = scratch["shortened"];
+        shorten_rays(recorder, desc, pass.rays);
+    }
+    find_engine(desc.engine).traverse(recorder, pass);
+    merge_hits(recorder, desc, pass.hits);
+}
+
+}  // namespace
 
 void traverse(Recorder& recorder, const rsh_traverse_desc& desc) {
     if (desc.query == RSH_QUERY_ALL)
         list_hits(recorder, desc);
+    else if (is_merged(desc))
+        traverse_merged(recorder, desc);
     else
         find_engine(desc.engine).traverse(recorder, desc);
     if (!recorder.context().statistics.enabled()) return;
@@ -28,10 +65,14 @@ cl_ulong answer_bytes(const rsh_traverse_desc& desc) {
 }
 
 Layout traverse_scratch(const Context& context, const rsh_traverse_desc& desc) {
-    const BoundsFrom bounds = bounds_from(desc);
-    return desc.query == RSH_QUERY_ALL
-               ? list_scratch(context, desc, bounds)
-               : find_engine(desc.engine).scratch(context, desc, bounds);
+    return traverse_scratch(context, desc, bounds_from(desc));
+}
+
+Layout traverse_scratch(const Context& context, const rsh_traverse_desc& desc,
+                        BoundsFrom bounds) {
+    if (desc.query == RSH_QUERY_ALL) return list_scratch(context, desc, bounds);
+    if (is_merged(desc)) return merged_scratch(context, desc, bounds);
+    return find_engine(desc.engine).scratch(context, desc, bounds);
 }
 
 cl_uint chosen_strategy(const Context& context, const rsh_traverse_desc& desc) {

@@ -30,6 +30,8 @@ public:
     // Hits of a ray that it packs in order, see kernels/traverse/tiles/pack_hits.h; 0: it makes a record of
     // each hit.
     virtual cl_uint packed_hits() const noexcept { return 0; }
+    // Whether it can go on from hits of other batches of the scene; else they are merged.
+    virtual bool continues_hits() const noexcept { return false; }
     // Elements of the longest stream that it reduces; 0: it takes no strategy.
     virtual cl_uint longest_stream(const rsh_traverse_desc&) const { return 0; }
     // Reads none of the descriptor's buffers, not even whether they are there.
@@ -47,8 +49,10 @@ const Engine& default_engine(const DeviceCaps& caps) noexcept;
 void traverse(Recorder& recorder, const rsh_traverse_desc& desc);
 // Bytes of the hits, or of a word per ray.
 cl_ulong answer_bytes(const rsh_traverse_desc& desc);
-// What it needs, bounds included where the descriptor has none.
+// What it needs; without `bounds`, these included where the descriptor has none.
 Layout traverse_scratch(const Context& context, const rsh_traverse_desc& desc);
+Layout traverse_scratch(const Context& context, const rsh_traverse_desc& desc,
+                        BoundsFrom bounds);
 
 // The strategy that a call is to use; see reduce/strategy.hpp.
 cl_uint chosen_strategy(const Context& context, const rsh_traverse_desc& desc);

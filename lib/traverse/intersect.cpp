@@ -23,9 +23,10 @@ Answers answers_of(const rsh_traverse_desc& desc) {
 
 KernelName hit_kernel(const rsh_traverse_desc& desc, const char* program, const char* file,
                       const char* kernel) {
-    const bool is_own = wants_all_hits(desc.query) || wants_filter(desc);
-    return {is_own ? file : program, kernel,
-            std::string(all_hits_option(desc.query)) + filter_option(desc)};
+    const bool is_own = wants_all_hits(desc.query) || wants_filter(desc) || is_batch(desc);
+    return {
+        is_own ? file : program, kernel,
+        std::string(all_hits_option(desc.query)) + filter_option(desc) + batch_option(desc)};
 }
 
 void clear_hits(Recorder& recorder, const rsh_traverse_desc& desc, const char* program) {

@@ -35,15 +35,46 @@ const char* filter_option(const Desc& desc) {
     return wants_filter(desc) ? " -D RSH_FILTER=1" : "";
 }
 
-// Launches a kernel that intersects triangles, with the filter behind its other arguments.
+// Whether the triangles are one batch of a scene: kernels/mesh/batch.h.
+inline bool is_batch(const rsh_traverse_desc& desc) {
+    return desc.continued || desc.first_triangle || desc.skip_corners;
+}
+inline const char* batch_option(const rsh_traverse_desc& desc) {
+    return is_batch(desc) ? " -D RSH_BATCHES=1" : "";
+}
+
+// Calls `use` with what a kernel is told about the filter, or with nothing.
+template <class Desc, class Use>
+void with_filter(const Desc& desc, Use use) {
+    if (wants_filter(desc))
+        use(desc.ray_masks, desc.geometry.ranges, desc.geometry.range_count, desc.cull);
+    else
+        use();
+}
+
+// The same of the batch, which only a traversal has.
+template <class Use>
+void with_batch(const rsh_traverse_desc& desc, Use use) {
+    if (is_batch(desc))
+        use(desc.first_triangle, desc.continued, desc.skip_corners, desc.skip_numbers,
+            desc.skip_count);
+    else
+        use();
+}
+template <class Use>
+void with_batch(const rsh_audit_desc&, Use use) {
+    use();
+}
+
+// Launches a kernel that intersects triangles, with filter and batch behind its other arguments.
 template <class Desc, class... Arguments>
 void launch_hits(Recorder& recorder, const Desc& desc, cl_uint stage, const KernelName& name,
                  const Range& range, const Arguments&... arguments) {
-    if (wants_filter(desc))
-        recorder.launch(stage, name, range, arguments..., desc.ray_masks, desc.geometry.ranges,
-                        desc.geometry.range_count, desc.cull);
-    else
-        recorder.launch(stage, name, range, arguments...);
+    with_filter(desc, [&](const auto&... filter) {
+        with_batch(desc, [&](const auto&... batch) {
+            recorder.launch(stage, name, range, arguments..., filter..., batch...);
+        });
+    });
 }
 
 // No ray has hit anything yet. The program is one that has rsh_clear_hits.

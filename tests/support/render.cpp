@@ -70,6 +70,7 @@ size_t least_budget(const DeviceScene& scene, const FrameOptions& options) {
     desc.engine = options.engine;
     desc.strategy = options.strategy;
     desc.tolerance = options.tolerance;
+    desc.batches = options.batches;
     desc.budget = 1;
     rsh_sizes sizes = {};
     sizes.struct_size = sizeof sizes;
@@ -108,6 +109,7 @@ std::vector<cl_float4> frame(const DeviceScene& scene, const FrameOptions& optio
     desc.audit = options.audit;
     desc.window = options.window;
     desc.tolerance = options.tolerance;
+    desc.batches = options.batches;
     std::unique_ptr<Bytes> scratch;
     if (options.own_scratch) {
         rsh_sizes sizes = {};

@@ -49,6 +49,7 @@ struct FrameOptions {
     cl_mem audit = nullptr;
     rsh_window window = {};
     float tolerance = 0;
+    const rsh_batch_source* batches = nullptr;
 };
 
 // The gallery's camera.

@@ -19,25 +19,24 @@
 
 /* A work-item takes the blocks of a tile. */
 RSH_FILLS_VECTORS
-__kernel void rsh_intersect_ranges(ray_levels shape, __global const uint* list_count,
-                                   mesh_view mesh, __global const float* vertices,
-                                   __global const uint* indices, __global const rsh_ray* rays,
-                                   __global const uint* skip, __global const float* bounds,
-                                   __global const float* nodes, __global const uint* triangles,
-                                   __global const uint2* ranges, __global rsh_hit* hits,
-                                   __global uint* occlusion,
-                                   uint occlusion_bit RSH_FILTER_PARAMETERS)
+__kernel void rsh_intersect_ranges(
+    ray_levels shape, __global const uint* list_count, mesh_view mesh,
+    __global const float* vertices, __global const uint* indices, __global const rsh_ray* rays,
+    __global const uint* skip, __global const float* bounds, __global const float* nodes,
+    __global const uint* triangles, __global const uint2* ranges, __global rsh_hit* hits,
+    __global uint* occlusion, uint occlusion_bit RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     const ray_levels levels = counted_levels(shape, list_count);
     const uint me = my_element(tile_count(levels));
     if (me == tile_count(levels)) return;
     hit_list list = hit_list_in(hits, occlusion_bit, 1);
-    const range_target target = {{mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER},
-                                 hits,
-                                 occlusion,
-                                 occlusion_bit,
-                                 bounds,
-                                 &list};
+    const range_target target = {
+        {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH},
+        hits,
+        occlusion,
+        occlusion_bit,
+        bounds,
+        &list};
     const ray_tile tile = tile_at(levels, order_in(nodes), me);
     for (uint b = 0; b < 16; ++b) {
         const uint node = child_of(&levels, 1, me, b);
@@ -86,7 +85,7 @@ __kernel void rsh_intersect_ranges_finish(
     __global const uint* skip, __global const float* bounds, __global const float* nodes,
     __global const uint* triangles, __global const uint2* ranges, __global const uint* sums,
     __global rsh_hit* hits, __global uint* occlusion, uint occlusion_bit,
-    __global uint* tally RSH_FILTER_PARAMETERS)
+    __global uint* tally RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     const ray_levels levels = counted_levels(shape, list_count);
     const uint me = my_element(tile_count(levels));
@@ -96,12 +95,13 @@ __kernel void rsh_intersect_ranges_finish(
     if (!is_left_over(step, sums, ancestor)) return;
     const triangle_range range = range_of_parent(step, ranges, ancestor);
     hit_list list = hit_list_in(hits, occlusion_bit, 1);
-    const range_target target = {{mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER},
-                                 hits,
-                                 occlusion,
-                                 occlusion_bit,
-                                 bounds,
-                                 &list};
+    const range_target target = {
+        {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH},
+        hits,
+        occlusion,
+        occlusion_bit,
+        bounds,
+        &list};
     const ray_tile tile = tile_at(levels, order_in(nodes), me);
     sibling_nodes blocks;
     load_siblings(&blocks, nodes + RSH_NODES_HEAD_WORDS + (ulong)RSH_GROUP_FLOATS * me);

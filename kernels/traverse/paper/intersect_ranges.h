@@ -5,7 +5,7 @@
 #ifndef RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 #define RSH_TRAVERSE_PAPER_INTERSECT_RANGES_H
 
-#include "traverse/packet_hits.h"
+#include "traverse/continue_packet.h"
 
 typedef struct range_target {
     triangles_left left;
@@ -37,16 +37,8 @@ static void store_target_packet(const range_target* target, ray_tile tile, uint 
 static void load_target_hits(const range_target* target, const ray_tile* tile, uint b,
                              ray_packet* packet)
 {
-    if (target->occlusion_bit) return;
-    for (uint k = 0; k < 16; ++k) {
-        const uint i = ray_of(*tile, b, k), v = k / RSH_WIDTH, lane = k % RSH_WIDTH;
-        if (i == RSH_NO_RAY || target->hits[i].primitive == RSH_NO_HIT) continue;
-        const rsh_hit hit = target->hits[i];
-        ((float*)&packet->ray[v].tmax)[lane] = hit.t;
-        ((float*)&packet->u[v])[lane] = hit.u;
-        ((float*)&packet->v[v])[lane] = hit.v;
-        ((uint*)&packet->primitive[v])[lane] = hit.primitive;
-    }
+    (void)tile, (void)b;
+    if (!target->occlusion_bit) continue_packet(packet, &target->left, target->hits);
 }
 
 static void store_target_packet(const range_target* target, ray_tile tile, uint b,
@@ -55,7 +47,7 @@ static void store_target_packet(const range_target* target, ray_tile tile, uint 
     if (target->occlusion_bit)
         store_packet_occlusion(packet, tile, b, target->occlusion, target->occlusion_bit);
     else
-        store_packet_hits(packet, tile, b, target->hits);
+        store_continued_hits(packet, &target->left, target->hits);
 }
 #endif
 

@@ -94,7 +94,7 @@ static floatv weight_at(const lane_hits* hits, uintv place)
 /* Whether mesh/leaving.h says that a pair's hit is none. */
 static bool is_pair_left(const triangles_left* left, stream_pair pair, float t, float inverse_z)
 {
-    const uint skip = left->skip[pair.node];
+    const uint skip = triangle_left_by(left, pair.node);
     if (skip == pair.triangle) return true;
     if (skip == RSH_NO_HIT) return false;
     triangle_points corners;

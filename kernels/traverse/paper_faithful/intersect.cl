@@ -14,14 +14,16 @@ __kernel void rsh_intersect(mesh_view mesh, __global const float* vertices,
                             __global const uint* indices, __global const rsh_ray* rays,
                             __global const uint* skip, __global const stream_pair* pairs,
                             __global const uint* pair_count, __global rsh_hit* hits,
-                            __global uint* occlusion, uint occlusion_bit RSH_FILTER_PARAMETERS)
+                            __global uint* occlusion,
+                            uint occlusion_bit RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     hit_list list = hit_list_in(hits, occlusion_bit, 1);
-    const hit_target target = {{mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER},
-                               hits,
-                               occlusion,
-                               occlusion_bit,
-                               &list};
+    const hit_target target = {
+        {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH},
+        hits,
+        occlusion,
+        occlusion_bit,
+        &list};
     const uint count = *pair_count;
     const strided_range mine = my_elements(count / RSH_WIDTH + (count % RSH_WIDTH != 0));
     for (uint i = mine.begin; i < mine.end; i += mine.step) {

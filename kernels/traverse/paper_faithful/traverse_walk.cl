@@ -79,15 +79,16 @@ __kernel void rsh_traverse_walk(ray_levels shape, uint level, uint limit, mesh_v
                                 __global const stream_pair* pairs,
                                 __global const uint* pair_count, __global rsh_hit* hits,
                                 __global uint* occlusion,
-                                uint occlusion_bit RSH_FILTER_PARAMETERS)
+                                uint occlusion_bit RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     const ray_levels levels = shape;
     hit_list list = hit_list_in(hits, occlusion_bit, 1);
-    const hit_target target = {{mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER},
-                               hits,
-                               occlusion,
-                               occlusion_bit,
-                               &list};
+    const hit_target target = {
+        {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH},
+        hits,
+        occlusion,
+        occlusion_bit,
+        &list};
     const uint total = pair_count[level + 1];
     if (total <= limit) return;
     walk_lists walk;

@@ -4,7 +4,7 @@
 #ifndef RSH_TRAVERSE_TILES_SINGLE_RAY_H
 #define RSH_TRAVERSE_TILES_SINGLE_RAY_H
 
-#include "traverse/packet_hits.h"
+#include "traverse/continue_packet.h"
 
 typedef struct single_ray {
     uint near_row[3], far_row[3]; /* rows of a bvh_node that bound t from below, from above */

@@ -38,6 +38,11 @@ typedef struct traversal_state {
     hit_list list;
     hit_rows rows_of_block[16][RSH_VECTORS];
 #endif
+#if RSH_BATCHES
+    __global const rsh_hit* hits;   /* of other batches */
+    __global const uint* occlusion; /* likewise */
+    uint occlusion_bit;
+#endif
     /* With RSH_TESTS_PER_RAY: that all rays of a block took part in; that a ray did alone. */
     uint tests_of_block[RSH_TESTS_PER_RAY ? 16 : 1], tests_of_ray[RSH_TESTS_PER_RAY ? 256 : 1];
     uint stack_size;
@@ -62,6 +67,26 @@ static void count_for_ray(traversal_state* state, ulong* tests, uint b, uint k)
 static uint lowest_bit(uint bits) { return 31 - clz(bits & -bits); }
 static bool is_single(uint bits) { return (bits & (bits - 1)) == 0; }
 
+/* After the rays of the block have come to end earlier. */
+static void lower_block_limit(traversal_state* state, uint b)
+{
+    if (RSH_ALL_HITS) return; /* no hit ends a ray */
+    const float limit = packet_limit(&state->packet[b]);
+    if (!state->is_converging || limit < 0.0f) ((float*)state->blocks.limit)[b] = limit;
+}
+
+#if RSH_BATCHES
+static void continue_block(traversal_state* state, uint b)
+{
+    if (!state->rays->batch.is_continued) return;
+    if (state->is_any)
+        retire_hidden(&state->packet[b], state->occlusion, state->occlusion_bit);
+    else
+        continue_packet(&state->packet[b], state->rays, state->hits);
+    lower_block_limit(state, b);
+}
+#endif
+
 RSH_CALLED static void load_packet_of(traversal_state* state, uint b)
 {
     ray_packet* packet = &state->packet[b];
@@ -76,6 +101,9 @@ RSH_CALLED static void load_packet_of(traversal_state* state, uint b)
             slab_of(state->nodes[16 * axis + b], state->nodes[48 + 16 * axis + b],
                     state->nodes[96 + 16 * axis + b], state->nodes[144 + 16 * axis + b]);
     state->loaded |= 1u << b;
+#if RSH_BATCHES
+    continue_block(state, b);
+#endif
 }
 
 static ray_packet* packet_of(traversal_state* state, uint b)
@@ -90,14 +118,6 @@ static const interval_packet* interval_packet_of_block(traversal_state* state, u
     interval_packet* packet = &packet_of(state, b)->intervals;
     packet->limit = lane_of(state->blocks.limit, b);
     return packet;
-}
-
-/* After a ray of the block found a closer hit. */
-static void lower_block_limit(traversal_state* state, uint b)
-{
-    if (RSH_ALL_HITS) return; /* no hit ends a ray */
-    const float limit = packet_limit(&state->packet[b]);
-    if (!state->is_converging || limit < 0.0f) ((float*)state->blocks.limit)[b] = limit;
 }
 
 static __global const float* node_of(const traversal_state* state, uint node)

@@ -10,7 +10,8 @@
  *   occlusion  in/out  any: a bit per ray
  *   counts     in/out  if is_counting: tests of nodes, of rays
  *   tests_per_ray  in/out  with RSH_TESTS_PER_RAY: grows by the tests that each ray took part in
- * With RSH_ALL_HITS, hits and occlusion are what traverse/hit_list.h says.
+ * With RSH_ALL_HITS, hits and occlusion are what traverse/hit_list.h says; with RSH_BATCHES they may be
+ * those of other batches, too (mesh/batch.h).
  * Each decision below only chooses between orders of the same tests, or leaves out tests that
  * cannot succeed. A work-item needs no memory but its stack, whose size is known.
  */
@@ -145,7 +146,24 @@ RSH_CALLED static void traverse_tile(traversal_state* state, uint active)
     }
 }
 
-/* Returns the blocks that hold an active ray, a bit each. */
+/* Whether the tile may meet what there is. Asked only of batches of a scene, as most tiles meet few of
+ * these. */
+static bool meets_batch(const traversal_state* state, uint active)
+{
+#if RSH_BATCHES
+    const packet_bounds bounds = packet_bounds_of(state, active);
+    interval_packet packet = interval_packet_of(&bounds);
+    packet.limit = bounds.tmax * RSH_RAISED;
+    boxes16 top;
+    load_boxes(node_of(state, state->scene->top), &top);
+    return boxes_met(&packet, &top, 0) != 0;
+#else
+    (void)state, (void)active;
+    return true;
+#endif
+}
+
+/* Returns the blocks that hold an active ray, a bit each; none: the tile meets nothing. */
 RSH_CALLED static uint begin_tile(traversal_state* state)
 {
     uint active = 0;
@@ -155,9 +173,7 @@ RSH_CALLED static uint begin_tile(traversal_state* state)
         active |= RSH_LANE_BITS(state->blocks.limit[v] >= (floatv)(0.0f)) << (RSH_WIDTH * v);
     }
     state->is_converging = as_uint(state->nodes[16 * 13]) != 0;
-    state->node_tests = state->ray_tests = 0;
-    state->loaded = state->stack_size = 0;
-    if (!active) return 0;
+    if (!active || !meets_batch(state, active)) return 0;
     for (uint axis = 0; axis < 3; ++axis)
         for_each_vector(v) {
             floatv row[4];
@@ -174,11 +190,11 @@ static void clear_tests_per_ray(traversal_state* state)
     for (uint i = 0; RSH_TESTS_PER_RAY && i < 256; ++i) state->tests_of_ray[i] = 0;
 }
 
-/* The tile finds nothing. */
+/* The tile has found nothing yet. */
 static uint begin_nothing(traversal_state* state)
 {
     state->node_tests = state->ray_tests = 0;
-    state->loaded = 0;
+    state->loaded = state->stack_size = 0;
     return 0;
 }
 
@@ -192,6 +208,17 @@ RSH_CALLED static void measure_scene(traversal_state* state)
     state->scene_size = fmax(side[0], fmax(side[1], side[2]));
     const float surface = side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
     state->leaf_size = surface / state->scene->leaves;
+}
+
+/* Whether answers hold what other batches of the scene have found. */
+static bool is_continued(const traversal_state* state)
+{
+#if RSH_BATCHES
+    return state->rays->batch.is_continued != 0;
+#else
+    (void)state;
+    return false;
+#endif
 }
 
 #if RSH_ALL_HITS
@@ -210,12 +237,12 @@ RSH_CALLED static void store_answers(const traversal_state* state, __global rsh_
 {
     for (uint b = 0; b < 16; ++b) {
         const bool is_loaded = state->loaded >> b & 1;
-        if (!state->is_any && !is_loaded)
-            store_misses(state->tile, b, state->rays->rays, hits);
-        else if (!state->is_any)
-            store_packet_hits(&state->packet[b], state->tile, b, hits);
-        else if (is_loaded)
+        if (state->is_any && is_loaded)
             store_packet_occlusion(&state->packet[b], state->tile, b, occlusion, occlusion_bit);
+        else if (!state->is_any && is_loaded)
+            store_continued_hits(&state->packet[b], state->rays, hits);
+        else if (!state->is_any && !is_continued(state))
+            store_misses(state->tile, b, state->rays->rays, hits);
     }
 }
 #endif
@@ -231,14 +258,13 @@ static void add_tests_per_ray(const traversal_state* state, __global uint* tests
 }
 
 RSH_FILLS_VECTORS
-__kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, mesh_view mesh,
-                                 __global const float* vertices, __global const uint* indices,
-                                 ray_levels shape, __global const uint* list_count,
-                                 __global const rsh_ray* rays, __global const uint* skip,
-                                 __global const float* nodes, __global rsh_hit* hits,
-                                 __global uint* occlusion, uint occlusion_bit, uint is_counting,
-                                 __global uint* counts, __global uint* tests_per_ray,
-                                 volatile __global uint* wrong RSH_FILTER_PARAMETERS)
+__kernel void rsh_traverse_tiles(
+    bvh_layout layout, __global const float* bvh, mesh_view mesh,
+    __global const float* vertices, __global const uint* indices, ray_levels shape,
+    __global const uint* list_count, __global const rsh_ray* rays, __global const uint* skip,
+    __global const float* nodes, __global rsh_hit* hits, __global uint* occlusion,
+    uint occlusion_bit, uint is_counting, __global uint* counts, __global uint* tests_per_ray,
+    volatile __global uint* wrong RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     const ray_levels levels = counted_levels(shape, list_count);
     const uint me = my_element(tile_count(levels));
@@ -249,21 +275,30 @@ __kernel void rsh_traverse_tiles(bvh_layout layout, __global const float* bvh, m
     scene.leaves = (float)((layout.triangles + 15) / 16);
     traversal_state state;
     state.scene = &scene;
-    const triangles_left left = {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER};
+    const triangles_left left = {mesh, vertices, indices, rays,
+                                 skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH};
     state.rays = &left;
     state.nodes = nodes + RSH_NODES_HEAD_WORDS + 16ul * RSH_NODE_ROWS * me;
     state.is_any = !RSH_ALL_HITS && occlusion_bit != 0;
 #if RSH_ALL_HITS
     state.list = hit_list_in(hits, occlusion_bit, RSH_RECORDS_AT_ONCE);
 #endif
+#if RSH_BATCHES
+    state.hits = hits;
+    state.occlusion = occlusion;
+    state.occlusion_bit = occlusion_bit;
+#endif
     clear_tests_per_ray(&state);
     const bool is_right =
         are_right(!layout.triangles || are_made_of(bvh, layout),
                   nodes_are_of(shape, levels.width[0], RSH_BOXES_MADE, nodes), wrong);
     state.tile = tile_at(levels, is_right ? order_in(nodes) : 0, me);
-    const uint active = is_right ? begin_tile(&state) : begin_nothing(&state);
-    if (active && layout.triangles) {
+    uint active = begin_nothing(&state);
+    if (is_right && layout.triangles) {
         scene.top = const_head_of(bvh)->nodes.end - 1;
+        active = begin_tile(&state);
+    }
+    if (active) {
         measure_scene(&state);
         traverse_tile(&state, active);
     }

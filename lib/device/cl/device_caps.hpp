@@ -1,6 +1,7 @@
 // device_caps.hpp - what a device can do, queried once; never guessed from a vendor's name.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "device/objects/handle.hpp"
@@ -12,6 +13,8 @@ struct DeviceCaps {
 
     // What kernels are compiled for where nobody asks for another: 1 where work-items are lanes.
     cl_uint default_width() const { return is_cpu ? vector_width : 1; }
+    // Bytes that a call takes at most where nobody says how many.
+    cl_ulong usual_budget() const { return std::min(memory / 4, max_allocation); }
     // Of every program, before its own.
     std::string build_options(cl_uint width) const;
 

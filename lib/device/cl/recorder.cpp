@@ -127,6 +127,14 @@ void Recorder::own_wrong_buffers(cl_mem word) {
     fill(RSH_STAGE_OTHER, word, 0, sizeof(cl_uint));
 }
 
+void Recorder::write(cl_uint stage, HostWrite& from, cl_mem buffer, size_t bytes) {
+    if (!only_notes()) record(stage, from.enqueue(queue_, buffer, bytes, prepare()));
+}
+
+void Recorder::flush() {
+    if (!only_notes()) require_success(opencl(queue_).clFlush(queue_), "clFlush");
+}
+
 void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {
     if (only_notes()) return;
     const Waits waits = prepare();

@@ -13,6 +13,7 @@
 #include "device/cl/work_group.hpp"
 #include "device/layout.hpp"
 #include "device/objects/handle.hpp"
+#include "device/objects/host_write.hpp"
 
 namespace rsh {
 
@@ -74,6 +75,10 @@ public:
     void count(const std::function<void(rsh_statistics&)>& change);
     // Adds words from the front of `buffer` to the statistics, once they arrived.
     void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
+    // Copies the front of the host's memory to that of `buffer`.
+    void write(cl_uint stage, HostWrite& from, cl_mem buffer, size_t bytes);
+    // What was recorded begins to run; for calls that go on for long.
+    void flush();
     // Copies a word of `from` to the word `index` of `to`.
     void copy_word(cl_mem from, cl_mem to, size_t index);
     // BLOCKS until the caller's events ended, and throws when one failed. For a call that will

@@ -45,6 +45,7 @@ cl_icd_dispatch functions_of_loader() noexcept {
     RSH_LINKED(clSetEventCallback)
     RSH_LINKED(clEnqueueNDRangeKernel)
     RSH_LINKED(clEnqueueReadBuffer)
+    RSH_LINKED(clEnqueueWriteBuffer)
     RSH_LINKED(clEnqueueFillBuffer)
     RSH_LINKED(clEnqueueCopyBuffer)
     RSH_LINKED(clEnqueueMarkerWithWaitList)

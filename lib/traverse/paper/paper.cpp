@@ -101,7 +101,7 @@ public:
     }
 
     void run() {
-        clear_hits(recorder_, desc_, "programs/paper");
+        if (!desc_.continued) clear_hits(recorder_, desc_, "programs/paper");
         join_boxes(recorder_, desc_, shape_, scratch_["nodes"]);
         const cl_uint total = names_of(desc_);
         const cl_uint size = batch_triangles(desc_, shape_, streams_.capacity);
@@ -165,6 +165,7 @@ public:
     cl_uint node_shape() const noexcept override { return RSH_SHAPE_BOX; }
     // A work-item holds 16 nodes, or the rays of a block: kilobytes of private memory.
     bool suits(const DeviceCaps& caps) const noexcept override { return caps.is_cpu; }
+    bool continues_hits() const noexcept override { return true; }
 
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,
                    BoundsFrom from) const override {

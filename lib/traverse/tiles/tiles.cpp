@@ -38,6 +38,7 @@ public:
     // A work-item holds a whole tile's packets, kilobytes of private memory.
     bool suits(const DeviceCaps& caps) const noexcept override { return caps.is_cpu; }
     bool counts_tests_per_ray() const noexcept override { return true; }
+    bool continues_hits() const noexcept override { return true; }
     cl_uint packed_hits() const noexcept override { return RSH_HIT_ROWS; }
 
     Layout scratch(const Context& context, const rsh_traverse_desc& desc,

@@ -1,0 +1,192 @@
+// batches_test.cpp - a scene in batches: the answers of one geometry with all triangles, bit for bit, with
+// every engine, whatever the batches are and in whatever order they come.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "support/compare.hpp"
+#include "support/ways.hpp"
+
+namespace {
+
+using test::Buffer;
+using test::DeviceMesh;
+using test::Rays;
+using test::TraceOptions;
+
+struct Batch {
+    uint32_t first, count;
+};
+
+test::Mesh part_of(const test::Mesh& mesh, const Batch& batch) {
+    test::Mesh part = mesh;
+    part.indices.clear();
+    for (uint32_t i = 3 * batch.first; i < 3 * (batch.first + batch.count); ++i)
+        part.indices.push_back(mesh.indices.empty() ? i : mesh.indices[i]);
+    return part;
+}
+
+// Up to `count` of them, some empty, in any order.
+std::vector<Batch> random_batches(test::Random& random, uint32_t triangles, uint32_t count) {
+    std::vector<uint32_t> cuts = {0, triangles};
+    for (uint32_t i = 1; i < count; ++i) cuts.push_back(random.below(triangles + 1));
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<Batch> batches;
+    for (size_t i = 0; i + 1 < cuts.size(); ++i)
+        batches.push_back({cuts[i], cuts[i + 1] - cuts[i]});
+    for (size_t i = batches.size(); i > 1; --i)
+        std::swap(batches[i - 1], batches[random.below(uint32_t(i))]);
+    return batches;
+}
+
+// The triangles that rays have left, ray by ray.
+class Left {
+public:
+    Left(const test::Mesh& mesh, const Rays& rays) {
+        for (size_t i = 0; i < rays.skip.size(); ++i) {
+            places_.push_back(rays.skip[i] == RSH_NO_HIT ? RSH_NO_HIT : uint32_t(i));
+            numbers_.push_back(rays.skip[i]);
+            test::Corners corners = {};
+            if (rays.skip[i] == RSH_NO_HIT || !mesh.corners(rays.skip[i], &corners))
+                corners = {};
+            corners_.insert(corners_.end(), corners.begin(), corners.end());
+        }
+        if (places_.empty()) return;
+        place_buffer_.emplace(places_);
+        number_buffer_.emplace(numbers_);
+        corner_buffer_.emplace(corners_);
+    }
+
+    void name_in(rsh_trace_desc& desc) const {
+        if (places_.empty()) return;
+        desc.skip = place_buffer_->get();
+        desc.skip_numbers = number_buffer_->get();
+        desc.skip_corners = corner_buffer_->get();
+        desc.skip_count = uint32_t(places_.size());
+    }
+
+private:
+    std::vector<uint32_t> places_, numbers_;
+    std::vector<test::Float3> corners_;
+    std::optional<Buffer<uint32_t>> place_buffer_, number_buffer_;
+    std::optional<Buffer<test::Float3>> corner_buffer_;
+};
+
+class Batches : public ::testing::Test {
+protected:
+    // One call per batch, all into the same answers.
+    void trace(const test::Mesh& mesh, const Rays& rays, const std::vector<Batch>& batches,
+               const TraceOptions& way, rsh_trace_desc desc) {
+        const Buffer<rsh_ray> ray_buffer(rays.rays);
+        const Left left(mesh, rays);
+        desc.struct_size = sizeof desc;
+        desc.width = rays.width;
+        desc.height = rays.height;
+        desc.rays = ray_buffer.get();
+        desc.engine = way.engine;
+        desc.budget = way.budget;
+        left.name_in(desc);
+        for (const Batch& batch : batches) {
+            const DeviceMesh part(part_of(mesh, batch));
+            desc.geometry = part.geometry();
+            desc.geometry.triangle_count = batch.count;
+            desc.first_triangle = batch.first;
+            RSH_CHECK(rsh_trace(test::device().rsh, test::device().queue(), &desc, 0, nullptr,
+                                nullptr));
+            test::device().queue.finish();
+            desc.continued = 1;
+        }
+    }
+
+    std::vector<rsh_hit> closest(const test::Mesh& mesh, const Rays& rays,
+                                 const std::vector<Batch>& batches, const TraceOptions& way) {
+        const Buffer<rsh_hit> hits(rays.rays.size());
+        rsh_trace_desc desc = {};
+        desc.query = RSH_QUERY_CLOSEST;
+        desc.hits = hits.get();
+        trace(mesh, rays, batches, way, desc);
+        EXPECT_TRUE(hits.guards_intact());
+        return hits.read();
+    }
+
+    std::vector<uint32_t> hidden(const test::Mesh& mesh, const Rays& rays,
+                                 const std::vector<Batch>& batches, const TraceOptions& way,
+                                 const std::vector<uint32_t>& masks, uint32_t bit) {
+        const Buffer<uint32_t> occlusion(masks);
+        rsh_trace_desc desc = {};
+        desc.query = RSH_QUERY_ANY;
+        desc.occlusion = occlusion.get();
+        desc.occlusion_bit = bit;
+        trace(mesh, rays, batches, way, desc);
+        EXPECT_TRUE(occlusion.guards_intact());
+        return occlusion.read();
+    }
+
+    void expect_answers_of_the_whole(const test::Mesh& mesh, const Rays& rays,
+                                     const std::vector<uint32_t>& counts = {2, 7}) {
+        const DeviceMesh whole(mesh);
+        std::vector<uint32_t> masks(rays.rays.size());
+        for (uint32_t& mask : masks) mask = uint32_t(random_.bits()) & ~4u;
+        const auto hits = closest_hits(whole, rays, test::brute_force());
+        const auto occlusion = test::occlusion(whole, rays, masks, 2, test::brute_force());
+        for (const TraceOptions& way : test::brute_force_and_all_ways())
+            for (const uint32_t count : counts) {
+                const auto batches = random_batches(random_, mesh.triangle_count(), count);
+                SCOPED_TRACE(name_of(way) + ", batches " + std::to_string(count));
+                EXPECT_TRUE(test::same_bits(closest(mesh, rays, batches, way), hits, "hits"));
+                EXPECT_TRUE(test::same_bits(hidden(mesh, rays, batches, way, masks, 2),
+                                            occlusion, "masks"));
+            }
+    }
+
+    test::Random random_{83};
+};
+
+class EveryCaseInBatches : public Batches,
+                           public ::testing::WithParamInterface<test::NamedCase> {};
+
+// The triangle that a ray has left may be of any batch.
+TEST_P(EveryCaseInBatches, GivesTheAnswersOfTheWholeScene) {
+    const test::Case made = GetParam().make(random_);
+    expect_answers_of_the_whole(made.mesh, made.rays);
+}
+
+INSTANTIATE_TEST_SUITE_P(Batches, EveryCaseInBatches, ::testing::ValuesIn(test::all_cases()),
+                         test::case_name);
+
+// Of which many start beside an edge that a neighbour shares, which may be of another batch.
+TEST_F(Batches, DoNotHitNeighboursOfWhatRaysHaveLeft) {
+    for (const test::Float3 place : {test::Float3(900, -2000, 50), test::Float3(0, 30, 7)}) {
+        const test::Mesh mesh = test::scaled(test::sphere(8, 5), 1, place);
+        expect_answers_of_the_whole(mesh, test::leaving_rays(random_, mesh, 150, 100));
+    }
+}
+
+// The triangle that a ray has left is often the last one before a batch.
+TEST_F(Batches, OfFewTrianglesDoNotHitWhatRaysHaveLeft) {
+    for (int i = 0; i < 4; ++i) {
+        const test::Mesh mesh = test::degenerate_soup(random_, 25);
+        expect_answers_of_the_whole(mesh, test::leaving_rays(random_, mesh, 60, 40), {60});
+    }
+}
+
+// Copies of triangles in several batches: of equal t, the lower number in the scene stays.
+TEST_F(Batches, KeepTheLowerNumberOfEqualHits) {
+    const test::Mesh soup = test::random_soup(random_, 60, 0.6f);
+    const test::Mesh copies = test::turned_copies(random_, soup, 300);
+    expect_answers_of_the_whole(copies, test::pinhole_rays(33, 31));
+}
+
+TEST_F(Batches, OfWhichSomeAreLeftOutGiveTheHitsOfTheOthers) {
+    const test::Mesh soup = test::random_soup(random_, 200, 0.5f);
+    const Rays rays = test::pinhole_rays(33, 31);
+    test::Mesh rest = part_of(soup, {0, 150});
+    const auto hits = closest_hits(DeviceMesh(rest), rays, test::brute_force());
+    for (const TraceOptions& way : test::brute_force_and_all_ways())
+        EXPECT_TRUE(
+            test::same_bits(closest(soup, rays, {{90, 60}, {0, 90}}, way), hits, "hits"))
+            << name_of(way);
+}
+
+}  // namespace
