@@ -35,12 +35,12 @@
  *              rsh_material, rsh_light and rsh_texture what stands beside them.
  *   Opaque     The contents of bounds and nodes are the library's alone. Both begin with what
  *              they were made for, and a traversal looks at that on the device. Where bounds or
- *              nodes were made for another shape, another number of triangles, a screen or list
- *              of another size, or not at all, the traversal finds no hits, touches nothing else,
- *              and leaves a mark that rsh_device_status and rsh_get_statistics report; rsh_frame
- *              returns RSH_INVALID_VALUE where it waits, once per strip. That vertices or rays
- *              have other values by now, or that the caller wrote into bounds or nodes, is not
- *              found out.
+ *              nodes were made for another shape, another number of triangles (box: or of those
+ *              that stand still), a screen or list of another size, or not at all, the traversal
+ *              finds no hits, touches nothing else, and leaves a mark that rsh_device_status and
+ *              rsh_get_statistics report; rsh_frame returns RSH_INVALID_VALUE where it waits, once
+ *              per strip. That vertices or rays have other values by now, or that the caller wrote
+ *              into bounds or nodes, is not found out.
  *   Overlap    Memory that a call writes (outputs, scratch) must not overlap other memory that
  *              it reads or writes: RSH_INVALID_VALUE. Sub-buffers are compared by their parent
  *              and range. Members that are marked in/out are one piece of memory.
@@ -298,7 +298,10 @@ typedef struct rsh_geometry {
     cl_ulong indices_offset;      /* bytes, a multiple of 4                               */
     cl_uint triangle_count;       /* below 2^28 */
     cl_uint range_count;          /* meshes that the triangles are of; 0: one, with id 0   */
-    cl_uint reserved[6];          /* 0; for 16-bit indices */
+    cl_uint still_triangles;      /* so many, the first ones, stand still while others move: for
+                                     bounds that are kept, see RSH_BOUND_REFIT. The same in all
+                                     calls that share bounds; 0: none                      */
+    cl_uint reserved[5];          /* 0; for 16-bit indices */
     cl_mem ranges;                /* in: range_count x rsh_mesh_range, by first_triangle;
                                      NULL when range_count is 0                           */
     cl_mem reserved_buffers[3];   /* NULL; likewise */
@@ -416,7 +419,10 @@ enum {
                              anew, as with QUALITY, where the boxes have grown too much, or were
                              made of another number of triangles. A buffer without bounds gets
                              some as well, and is reported as RSH_WRONG_BOUNDS: begin with
-                             QUALITY                                                          */
+                             QUALITY. With geometry.still_triangles the bounds of these are left
+                             alone, neither read nor written, and all this is said of the others.
+                             Bounds that were made with another still_triangles or triangle_count
+                             are no use then: reported in the same way, and left unfit for use    */
     RSH_BOUND_QUALITY = 2 /* anew, with more care: for bounds that are kept, to be refitted or for
                              many frames of a scene that stands still                         */
 };
@@ -427,7 +433,7 @@ typedef struct rsh_bound_desc {
     cl_uint shape;  /* RSH_SHAPE_... */
     cl_mem bounds;  /* out, with RSH_BOUND_REFIT in/out: rsh_sizes.output_bytes               */
     cl_mem scratch; /* box */
-    cl_uint mode;   /* box: RSH_BOUND_...; cone: changes nothing                              */
+    cl_uint mode;   /* RSH_BOUND_...; cone: of REFIT only that it leaves still triangles alone */
 } rsh_bound_desc;
 
 /* Bounds the triangles, rounded outwards. Once per frame, shared by all traversals of that
@@ -443,8 +449,11 @@ typedef struct rsh_bound_desc {
  *          common take up to a fifth less. REFIT: two fifths of the time of FAST. The surface of
  *          boxes at up to 320 places, relative to that of their triangles, decides on the device
  *          whether to make them anew in the same call: from 1.2 times what it was.
- * Cost:    linear in the triangles. output_bytes of the query: cone 16, box about 55 per
- *          triangle; scratch_bytes: box about 9, 14 with QUALITY and REFIT. */
+ *          With still_triangles the BVH is of two trees below one node: those that stand still, and
+ *          those that move. FAST and QUALITY make both, one after the other, in twice as many
+ *          launches; REFIT the second one alone. Rays visit one node more.
+ * Cost:    linear in the triangles, REFIT in those that move. output_bytes of the query: cone 16,
+ *          box about 55 per triangle; scratch_bytes: box about 9, 14 with QUALITY and REFIT. */
 RSH_API rsh_status rsh_bound_query(rsh_context context, const rsh_bound_desc* desc,
                                    rsh_sizes* sizes);
 RSH_API rsh_status rsh_bound(rsh_context context, cl_command_queue queue,

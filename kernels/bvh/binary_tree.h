@@ -20,10 +20,11 @@
 /* A branch over fewer leaves never becomes a node of its own; bvh/collapse16.h counts on it. */
 #define RSH_LEAST_LEAVES 9
 
-/* The tree while it grows. Leaves and branches are numbered together, the leaves first. */
+/* The tree while it grows. Leaves and branches are numbered together, the leaves first, from the
+ * first leaf of this tree on. */
 typedef struct binary_tree {
     bvh_layout layout;
-    __global const child_box* leaves;
+    __global const child_box* leaves; /* of this tree */
     __global tree_branch* branches;
     __global float* least_cost; /* least(1) .. least(16) of each branch */
     __global tree_part* parts;  /* the last one: of what is above all parts */

@@ -111,7 +111,7 @@ RSH_CALLED static void make_node(const binary_tree* tree, uint number, uint node
                                  __global float* bvh)
 {
     const node_slots slots = slots_of(tree, number);
-    store_slots(tree, &slots, bvh + node_at(&tree->layout, node));
+    store_slots(tree, &slots, bvh + node_at(&tree->layout.whole, node));
 }
 
 /* Makes the nodes of a part that wait, and those that come to wait while it does. */

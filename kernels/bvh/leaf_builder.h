@@ -9,7 +9,8 @@
 typedef struct leaf_builder {
     box_row row; /* boxes around triangles, not padded */
     float corner[9][RSH_WINDOW + 16];
-    uint triangle[RSH_WINDOW + 16]; /* indices */
+    uint triangle[RSH_WINDOW + 16]; /* indices, from the tree's first triangle on */
+    uint first_triangle;            /* the index of that one in the scene */
     uint next, end;                 /* places in the order of what is not in the row yet */
     uint leaves, first_leaf;        /* how many are made so far; number of the first */
     uint cut;                       /* triangles in these leaves */
@@ -73,7 +74,8 @@ static bool store_leaf(const leaf_builder* part, uint first, uint length, __glob
                 select((floatv)(INFINITY), load_lanes(part->corner[i] + first + RSH_WIDTH * v),
                        is_there);
         index[v] =
-            select((uintv)(RSH_NO_HIT), load_lanes(part->triangle + first + RSH_WIDTH * v),
+            select((uintv)(RSH_NO_HIT),
+                   load_lanes(part->triangle + first + RSH_WIDTH * v) + part->first_triangle,
                    as_uintv(is_there));
     }
     return store_triangles(&corners, index, leaf);

@@ -2,7 +2,7 @@
  * this frame alone, nodes that are ranges of leaves along the curve. Where the BVH is kept over
  * frames (is_quality), bvh/nodes.cl makes nodes out of a binary tree instead, slower to make and
  * quicker to trace.
- *   vertices, indices  in      triangles
+ *   vertices, indices  in      triangles of the tree
  *   samples            in      the scene's extent, from rsh_order
  *   bvh                in/out  see bvh/layout.h; in: the order of the triangles
  *   child_boxes        out     boxes of the leaves, then of the nodes, by their numbers
@@ -28,7 +28,8 @@ __kernel void rsh_leaves(mesh_view mesh, __global const float* vertices,
     const float leaf_surface = leaf_surface_of(samples, sample_count, layout.triangles);
     leaf_builder part;
     part.row.count = part.leaves = part.cut = 0;
-    part.first_leaf = me * layout.part_leaves;
+    part.first_leaf = first_leaf(&layout, me);
+    part.first_triangle = RSH_FIRST_TRIANGLE(layout);
     part.next = me * layout.part;
     part.end = min(part.next + layout.part, layout.triangles);
     while (part.next < part.end || part.row.count) {

@@ -24,7 +24,8 @@ __kernel void rsh_nodes_from_ranges(bvh_layout given_layout, __global const sort
         RSH_RANGE_NODE_COST * leaf_surface_of(samples, sample_count, layout.triangles);
     const node_range nodes =
         nodes_above_parts(&layout, RSH_MEAN_RANGE * node_cost, bvh, child_boxes);
-    *head_of(bvh) = (bvh_head){RSH_BVH_MADE, layout, nodes, {0}};
+    head_of(bvh)->nodes[layout.tree] = nodes;
+    head_of(bvh)->made[layout.tree] = RSH_BVH_MADE;
 }
 
 /* Grows the tree of a part, up to RSH_PART_ROOTS roots. */
@@ -39,7 +40,7 @@ RSH_CALLED static void grow_part(const binary_tree* tree, float node_cost, uint 
     for (uint i = 0; i < active.count; ++i) made->root[i] = active.number[i];
     made->roots = active.count;
     made->waiting = RSH_NO_BRANCH;
-    made->first_node = (part + 1) * tree->layout.part_nodes;
+    made->first_node = first_node(&tree->layout, part + 1);
 }
 
 /* Grows the tree above the roots of the parts, and makes the nodes at its top. A part has at most 4
@@ -52,12 +53,12 @@ RSH_CALLED static void make_top(const binary_tree* tree, float node_cost, __glob
             add_active_node(tree, &active, tree->parts[p].root[i]);
     grow_tree(tree, node_cost, &active, 2 * RSH_LEAVES(tree->layout), 1);
     __global tree_part* above = tree->parts + tree->layout.parts;
-    const uint end = RSH_NODES(tree->layout);
+    const uint end = end_node(&tree->layout);
     above->waiting = RSH_NO_BRANCH;
     above->first_node = end - 1;
     make_node(tree, active.number[0], end - 1, bvh);
     make_waiting_nodes(tree, above, bvh);
-    *head_of(bvh) = (bvh_head){0, tree->layout, {above->first_node, end}, {0}};
+    head_of(bvh)->nodes[tree->layout.tree] = (node_range){above->first_node, end};
 }
 
 /* Asks for the cache lines of a part that will be read in no order. */
@@ -73,8 +74,8 @@ RSH_CALLED static void make_part(const binary_tree* tree, uint part, __global fl
     expect_part(tree, part);
     make_waiting_nodes(tree, tree->parts + part, bvh);
     bvh_parts(&tree->layout, bvh)[part].nodes =
-        (node_range){tree->parts[part].first_node, (part + 1) * tree->layout.part_nodes};
-    if (part == 0) head_of(bvh)->made = RSH_BVH_MADE;
+        (node_range){tree->parts[part].first_node, first_node(&tree->layout, part + 1)};
+    if (part == 0) head_of(bvh)->made[tree->layout.tree] = RSH_BVH_MADE;
 }
 
 /* Launched for each tree_pass. Afterwards the BVH is complete. */
@@ -88,7 +89,7 @@ __kernel void rsh_nodes_tree(bvh_layout given_layout, __global const sort_plan* 
     const uint me = get_global_id(0);
     if (me >= layout.parts) return; /* launch is rounded up to whole groups */
     if (!sorting->is_needed) return;
-    const binary_tree growing = tree_in(layout, child_boxes, tree);
+    const binary_tree growing = tree_in(layout, child_boxes + layout.first_leaf, tree);
     if (pass == RSH_NODES_PASS) {
         make_part(&growing, me, bvh);
         return;

@@ -42,11 +42,11 @@ static void store_nodes(level_builder* level, const bvh_layout* layout, __global
     uint first = 0;
     for (uint r = 0; r < level->row.range_count; ++r) {
         const uint length = level->row.range_length[r], node = level->next_node++;
-        store_node(level, first, length, bvh + node_at(layout, node));
+        store_node(level, first, length, bvh + node_at(&layout->whole, node));
         child_box around;
         bound_range(&level->row, first, length, around.side);
         around.child = node;
-        child_boxes[RSH_LEAVES(*layout) + node] = around;
+        child_boxes[layout->whole.leaves + node] = around;
         first += length;
     }
     shift_row(&level->row, first);
@@ -91,8 +91,8 @@ RSH_CALLED static node_range nodes_of_part(const bvh_layout* layout, float node_
                                            uint leaves, __global float* bvh,
                                            __global child_box* child_boxes)
 {
-    const uint first = part * layout->part_leaves;
-    node_range made = {part * layout->part_nodes, 0};
+    const uint first = first_leaf(layout, part);
+    node_range made = {first_node(layout, part), 0};
     level_builder level;
     begin_levels(&level, node_cost, made.first);
     add_boxes_from(&level, first, first + leaves, layout, bvh, child_boxes);
@@ -106,10 +106,10 @@ RSH_CALLED static node_range nodes_above_parts(const bvh_layout* layout, float n
                                                __global float* bvh,
                                                __global child_box* child_boxes)
 {
-    node_range made = {first_upper_node(layout), 0};
+    node_range made = {first_node(layout, layout->parts), 0};
     level_builder level;
     begin_levels(&level, node_cost, made.first);
-    const uint nodes_at = RSH_LEAVES(*layout);
+    const uint nodes_at = layout->whole.leaves;
     for (uint p = 0; p < layout->parts; ++p) {
         const node_range of = bvh_parts(layout, bvh)[p].nodes;
         add_boxes_from(&level, nodes_at + of.first, nodes_at + of.end, layout, bvh,

@@ -1,9 +1,10 @@
 /* order.cl - keys for the order in which triangles become leaves: along Hilbert's curve, after
  * the few that are large beside the scene.
- *   vertices, indices  in      triangles
+ *   vertices, indices  in      triangles of the tree
  *   sorting, keys      out     for order/sort.cl
  *   bins               out     how many triangles are in each bin, that is, in each cell
- *   wrong              out     RSH_WRONG_BOUNDS: a refit found no BVH of this layout
+ *   wrong              out     RSH_WRONG_BOUNDS: a refit found no BVH, or not the still tree that
+ *                              it is to keep
  *   bvh                in/out  with is_refit, its order stays if that still serves
  *                              (bvh/refit_quality.h); otherwise it is marked as not made
  *   now                in/out  how compact that order is now
@@ -56,8 +57,18 @@ RSH_CALLED static void measure_quality(const order_state* state,
 static bool keeps_order(uint is_refit, __global const refit_quality* now,
                         __global const float* bvh, bvh_layout layout)
 {
-    return is_refit && are_made_of(bvh, layout) &&
+    return is_refit && is_tree_made(bvh, layout.whole, layout.tree) &&
            order_serves(now, (__global const refit_quality*)(bvh + RSH_QUALITY_AT(layout)));
+}
+
+/* Whether the buffer holds what a refit keeps: the still tree, where there is one; otherwise
+ * bounds, be they of other triangles. */
+static bool can_refit(__global const float* bvh, bvh_layout layout)
+{
+    __global const uint* made = const_head_of(bvh)->made;
+    return has_still(layout.whole)
+               ? is_tree_made(bvh, layout.whole, RSH_STILL_TREE)
+               : made[RSH_STILL_TREE] == RSH_BVH_MADE || made[RSH_MOVING_TREE] == RSH_BVH_MADE;
 }
 
 /* Decides, for all launches that follow, whether there will be a new order. A work-item has a range
@@ -130,6 +141,16 @@ RSH_CALLED static void keys_of_boxes(const boxes16* boxes, key_grid grid, uint* 
     }
 }
 
+/* A tree that lies where others did leaves none of them. */
+static void mark_as_not_made(__global float* bvh, bvh_layout layout)
+{
+    __global bvh_head* head = head_of(bvh);
+    head->made[layout.tree] = head->joined = 0;
+    if (are_laid_out_as(bvh, layout.whole)) return;
+    head->made[RSH_STILL_TREE] = head->made[RSH_MOVING_TREE] = 0;
+    head->whole = layout.whole;
+}
+
 /* Keys of all triangles, and how many of them are in each cell. */
 RSH_CALLED static void write_keys(const order_state* state, uint cell_bits, range16 mine,
                                   __global uint* keys, __global uint* bins)
@@ -137,7 +158,7 @@ RSH_CALLED static void write_keys(const order_state* state, uint cell_bits, rang
     const key_grid grid = grid_of(state->samples, state->items, cell_bits);
     if (state->item == 0) {
         state->sorting->bin_shift = grid.bin_shift;
-        head_of(state->bvh)->made = 0;
+        mark_as_not_made(state->bvh, state->layout);
     }
     __global uint* own = bins + (ulong)RSH_ORDER_BINS(cell_bits) * state->item;
     for (uint b = 0; b < RSH_ORDER_BINS(cell_bits); ++b) own[b] = 0;
@@ -165,9 +186,10 @@ __kernel void rsh_order(mesh_view mesh, __global const float* vertices,
                                bvh,    samples,          sorting};
     __global refit_quality* made = (__global refit_quality*)(bvh + RSH_QUALITY_AT(layout));
     const range16 mine = my_range16(mesh.triangle_count, state.items);
-    if (pass == RSH_QUALITY_PASS && are_made_of(bvh, layout)) measure_quality(&state, now);
+    if (pass == RSH_QUALITY_PASS && is_tree_made(bvh, layout.whole, layout.tree))
+        measure_quality(&state, now);
     if (pass == RSH_SAMPLE_PASS) {
-        if (is_refit && state.item == 0 && head_of(bvh)->made != RSH_BVH_MADE)
+        if (is_refit && state.item == 0 && !can_refit(bvh, layout))
             atomic_or(wrong, RSH_WRONG_BOUNDS);
         sample_range(&state, keeps_order(is_refit, now, bvh, layout), mine);
     }

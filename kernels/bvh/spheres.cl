@@ -1,6 +1,7 @@
-/* spheres.cl - a sphere around every triangle.
- *   vertices, indices  in   triangles
- *   bounds             out  a head, then spheres: centre, radius; radius -1: never hit
+/* spheres.cl - a sphere around every triangle, or around those that move.
+ *   vertices, indices  in      triangles
+ *   bounds             in/out  a head, then spheres: centre, radius; radius -1: never hit
+ *   wrong              out     RSH_WRONG_BOUNDS: there are no spheres around those that stand still
  * Any centre would do: the radius is measured from the stored one. Does not look at rays.
  */
 #include "bvh/spheres.h"
@@ -34,12 +35,18 @@ static float triangle_radius(triangle_points p, float3 centre)
     return radius * (1.0f + 0x1p-18f) + 0x1p-124f;
 }
 
+/* first: of the triangles that move; 0: all get a sphere. */
 __kernel void rsh_spheres(mesh_view mesh, __global const float* vertices,
-                          __global const uint* indices, __global float4* bounds)
+                          __global const uint* indices, uint first, __global float4* bounds,
+                          volatile __global uint* wrong)
 {
-    const uint i = get_global_id(0);
+    const uint i = first + get_global_id(0);
     __global float4* spheres = bounds + RSH_SPHERES_AT;
     if (i == 0) write_spheres_head(mesh.triangle_count, bounds);
+    if (first > 0 && !spheres_are_of(mesh.triangle_count, bounds)) {
+        if (i == first) atomic_or(wrong, RSH_WRONG_BOUNDS);
+        return;
+    }
     if (i >= mesh.triangle_count) return; /* launch is rounded up to whole groups */
     triangle_points p;
     if (!load_triangle(mesh, vertices, indices, i, &p) || !is_finite3(p.v0) ||

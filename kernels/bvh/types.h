@@ -1,6 +1,7 @@
 /* types.h - a scene's BVH as it lies in memory: leaves of 16 triangles, nodes of 16 children,
- * and what is needed to build and refit them. Shared by host and device; bvh/layout.h finds
- * things.
+ * and what is needed to build and refit them. Triangles that stand still and those that move
+ * have a tree each, so that only the latter is refitted; a node above both makes them one BVH.
+ * Shared by host and device; bvh/layout.h finds things.
  */
 #ifndef RSH_BVH_TYPES_H
 #define RSH_BVH_TYPES_H
@@ -30,21 +31,42 @@ typedef struct bvh_node {
 } bvh_node;
 RSH_ASSERT_SIZE(bvh_node, 448);
 
-/* Where things lie in the BVH of so many triangles. The triangles, in their order along the
- * curve, are cut into parts, a work-item each. A part has room for as many leaves as it may
- * need, and for the nodes above them. */
+/* The trees of a scene: of the triangles that stand still, rsh_geometry::still_triangles from
+ * the first one on, and of those that move, all others. Either may have none. */
+enum bvh_tree { RSH_STILL_TREE, RSH_MOVING_TREE, RSH_TREES };
+
+/* Both trees together. */
+typedef struct bvh_whole {
+    rsh_uint triangles, still_triangles;
+    rsh_uint leaves,
+        nodes; /* room for them; where both trees are, the last node is above both */
+} bvh_whole;
+RSH_ASSERT_SIZE(bvh_whole, 16);
+
+/* Where things lie in one of the trees. The triangles, in their order along the curve, are cut
+ * into parts, a work-item each. A part has room for as many leaves as it may need, and for the
+ * nodes above them. */
 typedef struct bvh_layout {
-    rsh_uint triangles;
-    rsh_uint part; /* triangles in each part but the last; a multiple of 16 */
+    bvh_whole whole;
+    rsh_uint tree;      /* RSH_..._TREE */
+    rsh_uint triangles; /* of this tree */
+    rsh_uint part;      /* triangles in each part but the last; a multiple of 16 */
     rsh_uint parts;
     rsh_uint part_leaves; /* room for leaves in a part */
     rsh_uint part_nodes;  /* room for nodes in a part */
     rsh_uint upper_nodes; /* room for nodes above leaves of several parts */
+    rsh_uint first_leaf,
+        first_node; /* numbers: leaves and nodes are numbered through both trees */
+    rsh_uint
+        words_before; /* of the other tree, among what lies behind the leaves and the nodes */
 } bvh_layout;
-RSH_ASSERT_SIZE(bvh_layout, 24);
+RSH_ASSERT_SIZE(bvh_layout, 56);
 
+/* Of one tree. */
 #define RSH_LEAVES(layout) ((layout).parts * (layout).part_leaves)
 #define RSH_NODES(layout) ((layout).parts * (layout).part_nodes + (layout).upper_nodes)
+#define RSH_FIRST_TRIANGLE(layout) \
+    ((layout).tree == RSH_MOVING_TREE ? (layout).whole.still_triangles : 0)
 
 /* Bits of bvh_node::child besides the number. RSH_IS_LEAF: the number is a leaf's, not a
  * node's. RSH_SCALED: some triangle of the leaf is of a size that mesh/intersect.h scales. */
@@ -58,14 +80,14 @@ RSH_ASSERT_SIZE(bvh_layout, 24);
 
 #define RSH_CHILD_NUMBER(child) (0x01ffffffu & (child))
 
-/* First words of what lies behind the leaves and the nodes. */
-#define RSH_ORDER_AT(layout)                                            \
-    (sizeof(bvh_head) / 4 + sizeof(bvh_leaf) / 4 * RSH_LEAVES(layout) + \
-     sizeof(bvh_node) / 4 * RSH_NODES(layout))
+/* First words of what a tree has behind the leaves and the nodes. */
+#define RSH_ORDER_AT(layout)                                               \
+    (sizeof(bvh_head) / 4 + sizeof(bvh_leaf) / 4 * (layout).whole.leaves + \
+     sizeof(bvh_node) / 4 * (layout).whole.nodes + (layout).words_before)
 #define RSH_QUALITY_AT(layout) (RSH_ORDER_AT(layout) + (layout).triangles)
 #define RSH_PARTS_AT(layout) \
     (RSH_QUALITY_AT(layout) + RSH_QUALITY_SAMPLES * sizeof(refit_quality) / 4)
-#define RSH_BVH_WORDS(layout) (RSH_PARTS_AT(layout) + (layout).parts * sizeof(bvh_part) / 4)
+#define RSH_TREE_END(layout) (RSH_PARTS_AT(layout) + (layout).parts * sizeof(bvh_part) / 4)
 
 /* How compact the order of triangles is at one place of it, which takes 16 ranges of 16
  * triangles: the surface of the triangles' boxes, of the ranges' boxes, and of the box around
@@ -100,10 +122,12 @@ RSH_ASSERT_SIZE(node_range, 8);
 
 /* What the buffer holds, said at its start: all else lies where the layout puts it. */
 typedef struct bvh_head {
-    rsh_uint made; /* RSH_BVH_MADE: all of it is there; any other word: nothing is */
-    bvh_layout layout;
-    node_range nodes;   /* above leaves of several parts */
-    rsh_uint unused[7]; /* leaves begin at a cache line */
+    rsh_uint
+        made[RSH_TREES]; /* RSH_BVH_MADE: all of the tree is there; any other word: nothing */
+    rsh_uint joined;     /* the same of the node above both trees */
+    bvh_whole whole;     /* what both trees were made of */
+    node_range nodes[RSH_TREES]; /* above leaves of several parts */
+    rsh_uint unused[5];          /* leaves begin at a cache line */
 } bvh_head;
 RSH_ASSERT_SIZE(bvh_head, 64);
 
@@ -173,7 +197,8 @@ RSH_ASSERT_SIZE(tree_part, 28);
 
 /* Depth of the tree, at most: a round of bvh/ploc.h makes it one branch deeper, and a node is
  * at least one branch. A part of 588 leaves takes RSH_NEAREST_ROUNDS = 12 rounds, then 8 that
- * halve what is left; the 4 roots of each part of 2^28 triangles take 12 and 17: 49. */
+ * halve what is left; the 4 roots of each part of 2^28 triangles take 12 and 17; the node above
+ * both trees: 50. */
 #define RSH_MAX_BVH_DEPTH 50
 
 /* Bins of bvh/order.cl, a cell each: first the cells of large triangles, four times as long, so

@@ -1,5 +1,6 @@
 /* tiles.cl - what the engine `tiles` launches, as one program; see programs/paper_faithful.cl
  * for why. */
+#include "bvh/join.cl"
 #include "bvh/leaves.cl"
 #include "bvh/nodes.cl"
 #include "bvh/order.cl"

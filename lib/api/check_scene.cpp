@@ -53,6 +53,9 @@ void check_image_buffers(Buffers& buffers, const rsh_scene& scene) {
 void check_shape(const rsh_geometry& geometry) {
     require(geometry.triangle_count < kMaxTriangles, "geometry.triangle_count",
             geometry.triangle_count, "below ", kMaxTriangles);
+    require(geometry.still_triangles <= geometry.triangle_count, "geometry.still_triangles",
+            geometry.still_triangles, "at most geometry.triangle_count, ",
+            geometry.triangle_count);
     const cl_ulong stride = stride_of(geometry);
     require(stride >= 12 && stride % 4 == 0, "geometry.vertex_stride", stride,
             "0 or a multiple of 4, at least 12");

@@ -23,11 +23,26 @@ Sort sort_of_triangles(const Context& context, cl_uint triangles) {
     return {triangles, RSH_ORDER_BINS(cell_bits(triangles)), context.caps.compute_units};
 }
 
-// The scene's side: triangles in their order, then boxes, level by level.
-class SceneBvh {
+Layout scratch_of_tree(const Context& context, const bvh_layout& tree, cl_uint mode) {
+    Layout layout(context.caps.alignment);
+    if (tree.triangles == 0) return layout;
+    layout.add_array<refit_quality>("quality", RSH_QUALITY_SAMPLES);
+    sort_of_triangles(context, tree.triangles).reserve(layout);
+    layout.reuse_from(Sort::kOnlyWhileSorting);
+    layout.add_array<child_box>("child boxes", tree.whole.leaves + tree.whole.nodes);
+    if (mode != RSH_BOUND_FAST) layout.add_array<cl_float>("tree", RSH_TREE_WORDS(tree));
+    return layout;
+}
+
+// One of the scene's trees: its triangles in their order, then boxes, level by level.
+class TreeOfScene {
 public:
-    SceneBvh(Recorder& recorder, const rsh_bound_desc& desc, const Scratch& scratch)
-        : recorder_(recorder), desc_(desc), scratch_(scratch) {}
+    TreeOfScene(Recorder& recorder, const rsh_bound_desc& desc, const bvh_layout& layout,
+                cl_mem scratch)
+        : recorder_(recorder),
+          desc_(desc),
+          layout_(layout),
+          scratch_(recorder, scratch_of_tree(recorder.context(), layout, desc.mode), scratch) {}
 
     // bvh/order.cl.
     void order() const {
@@ -67,7 +82,7 @@ public:
 
 private:
     void order_pass(cl_uint pass, Range range) const {
-        launch("rsh_order", range, layout_, pass, is_refit_, cell_bits(mesh_.triangle_count),
+        launch("rsh_order", range, layout_, pass, is_refit_, cell_bits(layout_.triangles),
                scratch_["quality"], desc_.bounds, scratch_["samples"], scratch_["sorting"],
                scratch_["keys"], scratch_["bins"], recorder_.wrong_buffers());
     }
@@ -88,11 +103,12 @@ private:
 
     Recorder& recorder_;
     const rsh_bound_desc& desc_;
-    const Scratch& scratch_;
+    const bvh_layout layout_;
+    const Scratch scratch_;
     const cl_uint is_refit_ = desc_.mode == RSH_BOUND_REFIT;
-    const mesh_view mesh_ = mesh_view_of(desc_.geometry);
-    const bvh_layout layout_ = bvh_layout_of(mesh_.triangle_count);
-    const Sort sort_ = sort_of_triangles(recorder_.context(), mesh_.triangle_count);
+    const mesh_view mesh_ =
+        mesh_view_of(desc_.geometry, RSH_FIRST_TRIANGLE(layout_), layout_.triangles);
+    const Sort sort_ = sort_of_triangles(recorder_.context(), layout_.triangles);
 };
 
 class Bvh16 final : public SceneBounds {
@@ -100,25 +116,25 @@ public:
     cl_uint shape() const noexcept override { return RSH_SHAPE_BOX; }
 
     size_t bytes(const rsh_geometry& geometry) const override {
-        const bvh_layout bvh = bvh_layout_of(geometry.triangle_count);
-        return RSH_BVH_WORDS(bvh) * sizeof(cl_uint);
+        return bvh_words(bvh_layouts_of(geometry)) * sizeof(cl_uint);
     }
 
     size_t bytes_up_to(cl_uint triangles) const override {
         return most_bytes_up_to(triangles, [](cl_uint count) {
-            return RSH_BVH_WORDS(bvh_layout_of(count)) * sizeof(cl_uint);
+            rsh_geometry geometry = {};
+            geometry.triangle_count = count;
+            return bvh_words(bvh_layouts_of(geometry)) * sizeof(cl_uint);
         });
     }
 
+    // The trees are made one after the other, in the same memory.
     Layout scratch(const Context& context, const rsh_geometry& geometry,
                    cl_uint mode) const override {
+        size_t bytes = 0;
+        for (const bvh_layout& tree : bvh_layouts_of(geometry))
+            bytes = std::max(bytes, scratch_of_tree(context, tree, mode).bytes());
         Layout layout(context.caps.alignment);
-        layout.add_array<refit_quality>("quality", RSH_QUALITY_SAMPLES);
-        sort_of_triangles(context, geometry.triangle_count).reserve(layout);
-        const bvh_layout bvh = bvh_layout_of(geometry.triangle_count);
-        layout.reuse_from(Sort::kOnlyWhileSorting);
-        layout.add_array<child_box>("child boxes", RSH_LEAVES(bvh) + RSH_NODES(bvh));
-        if (mode != RSH_BOUND_FAST) layout.add_array<cl_float>("tree", RSH_TREE_WORDS(bvh));
+        layout.add("tree", bytes);
         return layout;
     }
 
@@ -131,10 +147,23 @@ public:
         }
         const Scratch memory(recorder, scratch(recorder.context(), geometry, desc.mode),
                              desc.scratch);
-        const SceneBvh bvh(recorder, desc, memory);
-        bvh.order();
-        bvh.make();
-        bvh.refit();
+        const BvhLayouts trees = bvh_layouts_of(geometry);
+        for (const bvh_layout& tree : trees) {
+            const bool is_kept = tree.tree == RSH_STILL_TREE && desc.mode == RSH_BOUND_REFIT;
+            if (tree.triangles && !is_kept) bound_tree(recorder, desc, tree, memory["tree"]);
+        }
+        if (trees[RSH_STILL_TREE].triangles && trees[RSH_MOVING_TREE].triangles)
+            recorder.launch(RSH_STAGE_BOUND, tiles_kernel("rsh_join_trees"), {1, 1},
+                            bvh_whole_of(geometry), desc.bounds);
+    }
+
+private:
+    static void bound_tree(Recorder& recorder, const rsh_bound_desc& desc,
+                           const bvh_layout& layout, cl_mem scratch) {
+        const TreeOfScene tree(recorder, desc, layout, scratch);
+        tree.order();
+        tree.make();
+        tree.refit();
     }
 };
 

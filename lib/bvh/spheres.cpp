@@ -27,9 +27,11 @@ public:
 
     void bound(Recorder& recorder, const rsh_bound_desc& desc) const override {
         const rsh_geometry& geometry = desc.geometry;
+        const cl_uint first = desc.mode == RSH_BOUND_REFIT ? geometry.still_triangles : 0;
         recorder.launch(RSH_STAGE_BOUND, {"programs/paper_faithful", "rsh_spheres"},
-                        recorder.range(geometry.triangle_count), mesh_view_of(geometry),
-                        geometry.vertices, geometry.indices, desc.bounds);
+                        recorder.range(geometry.triangle_count - first), mesh_view_of(geometry),
+                        geometry.vertices, geometry.indices, first, desc.bounds,
+                        recorder.wrong_buffers());
     }
 };
 

@@ -3,6 +3,8 @@
 
 #include <rsh/rsh.h>
 
+#include <algorithm>
+
 #include "mesh/types.h"
 
 namespace rsh {
@@ -20,6 +22,22 @@ inline mesh_view mesh_view_of(const rsh_geometry& geometry) {
     mesh.triangle_count = geometry.triangle_count;
     mesh.is_indexed = geometry.indices != nullptr;
     return mesh;
+}
+
+// The triangles first .. first + count - 1 as a mesh of their own.
+inline mesh_view mesh_view_of(rsh_geometry geometry, cl_uint first, cl_uint count) {
+    const cl_ulong corners = cl_ulong{3} * first;
+    geometry.triangle_count = count;
+    if (geometry.indices) {
+        geometry.indices_offset += corners * sizeof(cl_uint);
+        return mesh_view_of(geometry);
+    }
+    const cl_uint stride = geometry.vertex_stride ? geometry.vertex_stride : 12;
+    const cl_uint before =
+        static_cast<cl_uint>(std::min<cl_ulong>(corners, geometry.vertex_count));
+    geometry.vertices_offset += cl_ulong{before} * stride;
+    geometry.vertex_count -= before;
+    return mesh_view_of(geometry);
 }
 
 inline mesh_view mesh_view_of(const rsh_scene& scene) {

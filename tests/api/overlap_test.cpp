@@ -128,10 +128,23 @@ protected:
     }
 };
 
+TEST_F(Reserved, StillTrianglesAreSomeOfAll) {
+    auto bound = valid_.bound();
+    bound.geometry.still_triangles = bound.geometry.triangle_count;
+    EXPECT_EQ(call(&bound), RSH_SUCCESS) << rsh_last_error();
+    bound.geometry.still_triangles += 1;
+    const auto count = [](cl_uint triangles) { return std::to_string(triangles); };
+    EXPECT_EQ(call(&bound), RSH_INVALID_VALUE);
+    EXPECT_EQ(rsh_last_error(), "geometry.still_triangles: is " +
+                                    count(bound.geometry.still_triangles) +
+                                    ", must be at most geometry.triangle_count, " +
+                                    count(bound.geometry.triangle_count));
+}
+
 // A library that does not know a wish must not take it for none.
 TEST_F(Reserved, WordsMustBeZero) {
     auto bound = valid_.bound();
-    bound.geometry.reserved[5] = 1;
+    bound.geometry.reserved[4] = 1;
     refuses(bound, "geometry.reserved: is 1, must be 0");
     bound = valid_.bound();
     bound.geometry.reserved_buffers[2] = whole_();

@@ -234,7 +234,7 @@ void expect_contained(const test::Mesh& mesh, const test::SceneBvh& bvh, BvhCoun
     expect_permutation(bvh.order);
     if (mesh.triangle_count() == 0) return;
     Walk walk(mesh, bvh);
-    walk.check_node(bvh.head.nodes.end - 1, 1);
+    walk.check_node(bvh.top(), 1);
     if (::testing::Test::HasFatalFailure()) return;
     EXPECT_EQ(walk.order(), bvh.order);
     walk.expect_others_empty();

@@ -6,7 +6,9 @@
 namespace {
 
 size_t words(rsh_uint triangles) {
-    return RSH_BVH_WORDS(rsh::bvh_layout_of(triangles));
+    rsh_geometry geometry = {};
+    geometry.triangle_count = triangles;
+    return rsh::bvh_words(rsh::bvh_layouts_of(geometry));
 }
 
 TEST(BvhLayout, OfFewerTrianglesFitsIntoTheMostUpTo) {

@@ -64,7 +64,7 @@ TEST(BoxCuts, SeparateNodes) {
     const test::Mesh mesh = clumps_at(random, two_rows(near, 8), count);
     const test::SceneBvh bvh = test::build_bvh(test::DeviceMesh(mesh));
     uint32_t nodes = 0;
-    for (const uint32_t node : bvh.nodes[bvh.head.nodes.end - 1].child) {
+    for (const uint32_t node : bvh.nodes[bvh.top()].child) {
         if (node & RSH_IS_LEAF) continue;
         std::set<bool> sides;
         for (const uint32_t child : bvh.nodes[node].child)

@@ -152,12 +152,12 @@ TEST(Recount, OfNoiseStaysWithinItsBuffers) {
         SCOPED_TRACE(std::to_string(count) + " triangles");
         test::Random random(62);
         const DeviceMesh mesh(test::random_soup(random, count));
-        const bvh_layout shape = rsh::bvh_layout_of(count);
+        const bvh_layout shape = rsh::bvh_layouts_of(mesh.geometry())[RSH_MOVING_TREE];
         const size_t head = sizeof(bvh_head) / 4, order = RSH_ORDER_AT(shape);
         expect_update_within_buffers(mesh, random, head - 9, order); /* the head's groups too */
         expect_update_within_buffers(mesh, random, order, RSH_QUALITY_AT(shape));
-        expect_update_within_buffers(mesh, random, RSH_PARTS_AT(shape), RSH_BVH_WORDS(shape));
-        expect_update_within_buffers(mesh, random, 0, RSH_BVH_WORDS(shape));
+        expect_update_within_buffers(mesh, random, RSH_PARTS_AT(shape), RSH_TREE_END(shape));
+        expect_update_within_buffers(mesh, random, 0, RSH_TREE_END(shape));
     }
 }
 

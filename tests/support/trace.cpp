@@ -224,8 +224,9 @@ private:
     std::unique_ptr<Buffer<T>> bounds_;
 };
 
-SceneBvh scene_bvh(const std::vector<uint32_t>& words, uint32_t triangles) {
-    const bvh_layout layout = rsh::bvh_layout_of(triangles);
+// Of triangles that all move.
+SceneBvh scene_bvh(const std::vector<uint32_t>& words, const rsh_geometry& geometry) {
+    const bvh_layout layout = rsh::bvh_layouts_of(geometry)[RSH_MOVING_TREE];
     SceneBvh made;
     const uint32_t* at = words.data();
     const auto take = [&at](auto& items, size_t count) {
@@ -237,7 +238,7 @@ SceneBvh scene_bvh(const std::vector<uint32_t>& words, uint32_t triangles) {
     at += sizeof made.head / sizeof *at;
     take(made.leaves, RSH_LEAVES(layout));
     take(made.nodes, RSH_NODES(layout));
-    take(made.order, triangles);
+    take(made.order, geometry.triangle_count);
     return made;
 }
 
@@ -247,7 +248,7 @@ std::vector<SceneBvh> bvhs_of(const std::vector<const DeviceMesh*>& frames, cl_u
     for (const DeviceMesh* mesh : frames)
         made.push_back(
             scene_bvh(bounds.bound(*mesh, made.empty() ? first : cl_uint{RSH_BOUND_REFIT}),
-                      mesh->geometry().triangle_count));
+                      mesh->geometry()));
     return made;
 }
 
@@ -275,7 +276,7 @@ std::vector<SceneBvh> kept_bvhs(const std::vector<const DeviceMesh*>& frames) {
 SceneBvh bvh_refitted_from(const DeviceMesh& mesh, uint8_t byte) {
     BoundFrames<uint32_t> bounds(mesh, RSH_SHAPE_BOX);
     bounds.fill(0x01010101u * byte);
-    return scene_bvh(bounds.bound(mesh, RSH_BOUND_REFIT), mesh.geometry().triangle_count);
+    return scene_bvh(bounds.bound(mesh, RSH_BOUND_REFIT), mesh.geometry());
 }
 
 std::vector<rsh_hit> closest_hits(const DeviceMesh& mesh, const Rays& rays,

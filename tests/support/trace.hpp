@@ -23,6 +23,8 @@ public:
     const rsh_geometry& geometry() const { return geometry_; }
     // Its triangles are several meshes from now on.
     void divide(const std::vector<rsh_mesh_range>& ranges);
+    // So many, the first ones, count as standing still from now on.
+    void stand_still(uint32_t triangles) { geometry_.still_triangles = triangles; }
 
 private:
     Buffer<Float3> vertices_;
@@ -69,6 +71,8 @@ struct SceneBvh {
     std::vector<bvh_node> nodes;
     std::vector<uint32_t> order;  // triangle numbers
     bvh_head head;
+
+    uint32_t top() const { return head.nodes[RSH_MOVING_TREE].end - 1; }
 };
 SceneBvh build_bvh(const DeviceMesh& mesh);
 // The same after each frame: as many triangles in each; all but the first are refits.

@@ -21,7 +21,7 @@
  * nodes are not its own: no triangle meets anything. */
 RSH_FILLS_VECTORS
 __kernel void rsh_traverse_ranges_count(
-    range_step given, bvh_layout scene_shape, ray_levels shape, __global const uint* list_count,
+    range_step given, bvh_whole scene_shape, ray_levels shape, __global const uint* list_count,
     __global const float* bounds, __global const float* nodes, __global const float* groups,
     uint first_word, volatile __global uint* wrong, __global const uint* triangles,
     __global const uint2* ranges, __global ushort* masks, __global uint* counts,

@@ -12,7 +12,7 @@
 
 typedef struct bvh_view {
     __global const float* words;
-    bvh_layout layout;
+    bvh_whole whole;
     uint top;     /* number of the topmost node */
     float leaves; /* how many, if all were full */
 } bvh_view;
@@ -122,7 +122,7 @@ static const interval_packet* interval_packet_of_block(traversal_state* state, u
 
 static __global const float* node_of(const traversal_state* state, uint node)
 {
-    return state->scene->words + node_at(&state->scene->layout, node);
+    return state->scene->words + node_at(&state->scene->whole, node);
 }
 
 static bool is_leaf(uint child) { return (child & RSH_IS_LEAF) != 0; }

@@ -259,7 +259,7 @@ static void add_tests_per_ray(const traversal_state* state, __global uint* tests
 
 RSH_FILLS_VECTORS
 __kernel void rsh_traverse_tiles(
-    bvh_layout layout, __global const float* bvh, mesh_view mesh,
+    bvh_whole whole, __global const float* bvh, mesh_view mesh,
     __global const float* vertices, __global const uint* indices, ray_levels shape,
     __global const uint* list_count, __global const rsh_ray* rays, __global const uint* skip,
     __global const float* nodes, __global rsh_hit* hits, __global uint* occlusion,
@@ -270,9 +270,9 @@ __kernel void rsh_traverse_tiles(
     const uint me = my_element(tile_count(levels));
     if (me == tile_count(levels)) return; /* the launch is for all places */
     bvh_view scene;
-    scene.layout = layout;
+    scene.whole = whole;
     scene.words = bvh;
-    scene.leaves = (float)((layout.triangles + 15) / 16);
+    scene.leaves = (float)((whole.triangles + 15) / 16);
     traversal_state state;
     state.scene = &scene;
     const triangles_left left = {mesh, vertices, indices, rays,
@@ -290,12 +290,12 @@ __kernel void rsh_traverse_tiles(
 #endif
     clear_tests_per_ray(&state);
     const bool is_right =
-        are_right(!layout.triangles || are_made_of(bvh, layout),
+        are_right(!whole.triangles || are_made_of(bvh, whole),
                   nodes_are_of(shape, levels.width[0], RSH_BOXES_MADE, nodes), wrong);
     state.tile = tile_at(levels, is_right ? order_in(nodes) : 0, me);
     uint active = begin_nothing(&state);
-    if (is_right && layout.triangles) {
-        scene.top = const_head_of(bvh)->nodes.end - 1;
+    if (is_right && whole.triangles) {
+        scene.top = top_node(bvh, whole);
         active = begin_tile(&state);
     }
     if (active) {

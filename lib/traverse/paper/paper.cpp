@@ -32,7 +32,7 @@ cl_uint slices_of(const Context& context, const ray_levels& levels, cl_uint leve
 
 // What ranges name: places in the leaves, some of them empty.
 cl_uint names_of(const rsh_traverse_desc& desc) {
-    return 16 * RSH_LEAVES(bvh_layout_of(desc.geometry.triangle_count));
+    return 16 * bvh_whole_of(desc.geometry).leaves;
 }
 
 // Triangles that a level can hold; never more than the scene can make.

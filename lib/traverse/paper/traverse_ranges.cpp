@@ -40,11 +40,10 @@ Range slices_range(Recorder& recorder, const range_step& step) {
 void count_ranges(Recorder& recorder, const rsh_traverse_desc& desc, const RangeLevel& level,
                   const RangeStreams& streams) {
     recorder.launch(RSH_STAGE_TEST, paper_kernel("rsh_traverse_ranges_count"),
-                    slices_range(recorder, level.step), level.step,
-                    bvh_layout_of(desc.geometry.triangle_count), level.shape, desc.list_count,
-                    desc.bounds, desc.nodes, level.groups, level.first_word,
-                    recorder.wrong_buffers(), parents_of(level, streams), streams.ranges,
-                    streams.masks, streams.counts, streams.sums);
+                    slices_range(recorder, level.step), level.step, bvh_whole_of(desc.geometry),
+                    level.shape, desc.list_count, desc.bounds, desc.nodes, level.groups,
+                    level.first_word, recorder.wrong_buffers(), parents_of(level, streams),
+                    streams.ranges, streams.masks, streams.counts, streams.sums);
     scan_sums(recorder, level.step, streams);
 }
 

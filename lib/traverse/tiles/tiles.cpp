@@ -60,12 +60,12 @@ public:
         const Answers answers = answers_of(desc);
         const ray_levels shape = find_shape(RSH_SHAPE_BOX).levels(desc.width, desc.height);
         launch_hits(recorder, desc, RSH_STAGE_INTERSECT, traversal_kernel(desc),
-                    recorder.serial_range(node_count(shape, 2)),
-                    bvh_layout_of(desc.geometry.triangle_count), bounds,
-                    mesh_view_of(desc.geometry), desc.geometry.vertices, desc.geometry.indices,
-                    shape, desc.list_count, desc.rays, desc.skip, desc.nodes, answers.hits,
-                    answers.occlusion, answers.occlusion_bit, cl_uint{is_counting},
-                    memory["counts"], desc.tests_per_ray, recorder.wrong_buffers());
+                    recorder.serial_range(node_count(shape, 2)), bvh_whole_of(desc.geometry),
+                    bounds, mesh_view_of(desc.geometry), desc.geometry.vertices,
+                    desc.geometry.indices, shape, desc.list_count, desc.rays, desc.skip,
+                    desc.nodes, answers.hits, answers.occlusion, answers.occlusion_bit,
+                    cl_uint{is_counting}, memory["counts"], desc.tests_per_ray,
+                    recorder.wrong_buffers());
         if (is_counting) count_tests(recorder, memory["counts"]);
     }
 };
