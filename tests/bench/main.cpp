@@ -51,6 +51,7 @@ int show_table(const Options& options) {
 
 // The number of cases that were wrong.
 size_t run(bench::Suite& suite, const Options& options) {
+    suite.prepare();
     const bench::Limit limit(options.limit);
     const bench::Device device(options.device);
     bench::Document document({{"suite", suite.name()},

@@ -27,6 +27,8 @@ public:
     virtual const char* description() const noexcept = 0;
     // Options of its own, beside --json, --quick, --limit and --device.
     virtual void add_options(CLI::App& app) = 0;
+    // Before anything of OpenCL is called.
+    virtual void prepare() {}
     virtual void run(const Run& run) = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "approximate/approximate_suite.hpp"
 #include "budgets/budgets_suite.hpp"
 #include "frame/frame_suite.hpp"
+#include "frame_memory/memory_suite.hpp"
 #include "hits/hits_suite.hpp"
 #include "mirrors/mirrors_suite.hpp"
 #include "parity/parity_suite.hpp"
@@ -22,15 +23,16 @@ const std::vector<Suite*>& suites() {
     static BudgetsSuite budgets;
     static FrameSuite frame;
     static HitsSuite hits;
+    static MemorySuite memory;
     static MirrorsSuite mirrors;
     static ParitySuite parity;
     static ProgramsSuite programs;
     static QueriesSuite queries;
     static ReduceSuite reduce;
     static StabilitySuite stability;
-    static const std::vector<Suite*> all = {&ablation, &accuracy, &approximate, &budgets,
-                                            &frame,    &hits,     &mirrors,     &parity,
-                                            &programs, &queries,  &reduce,      &stability};
+    static const std::vector<Suite*> all = {
+        &ablation, &accuracy, &approximate, &budgets, &frame,  &hits,     &memory,
+        &mirrors,  &parity,   &programs,    &queries, &reduce, &stability};
     return all;
 }
 

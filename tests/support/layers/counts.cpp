@@ -112,6 +112,10 @@ extern "C" void rsh_read_counts(rsh_counts* counts) {
     *counts = objects().counts();
 }
 
+extern "C" void rsh_restart_peak() {
+    objects().restart_peak();
+}
+
 // After the destructors of the program, which release what it holds.
 __attribute__((destructor)) static void write_counts() {
     const char* const path = std::getenv("RSH_COUNTS");

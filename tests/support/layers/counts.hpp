@@ -1,6 +1,7 @@
 // counts.hpp - what the layer of counts.cpp has counted of a process's OpenCL calls. In the process
 // dlsym finds rsh_read_counts in the layer; from outside, the file that RSH_COUNTS names has the
-// same words as JSON, written when the process ends.
+// same words as JSON, written when the process ends. rsh_restart_peak lets bytes_peak begin anew, from
+// bytes_alive.
 #pragma once
 
 #include <cstddef>
@@ -32,3 +33,4 @@ struct rsh_counts {
 };
 
 typedef void (*rsh_read_counts_function)(struct rsh_counts* counts);
+typedef void (*rsh_restart_peak_function)(void);

@@ -12,15 +12,20 @@ namespace {
 
 using test::device;
 
-rsh_counts counts_now() {
+template <class Function>
+Function of_layer(const char* name) {
     void* const library = dlopen(RSH_COUNTS_LAYER, RTLD_NOW | RTLD_NOLOAD);
-    void* const found = library ? dlsym(library, "rsh_read_counts") : nullptr;
+    void* const found = library ? dlsym(library, name) : nullptr;
     if (!found)
         throw std::runtime_error("the loader has not taken OPENCL_LAYERS " RSH_COUNTS_LAYER);
-    rsh_read_counts_function read = nullptr;
-    std::memcpy(&read, &found, sizeof read);
+    Function function = nullptr;
+    std::memcpy(&function, &found, sizeof function);
+    return function;
+}
+
+rsh_counts counts_now() {
     rsh_counts counts = {};
-    read(&counts);
+    of_layer<rsh_read_counts_function>("rsh_read_counts")(&counts);
     return counts;
 }
 
@@ -217,6 +222,19 @@ TEST(Counts, TellBuildsOfBinariesFromThoseOfSources) {
     binary.build();
     EXPECT_EQ(begin.now().compiles, 1u);
     EXPECT_EQ(begin.now().binary_builds, 1u);
+}
+
+TEST(Counts, LetThePeakBeginAnew) {
+    const cl::Context& context = device().context;
+    const auto restart_peak = of_layer<rsh_restart_peak_function>("rsh_restart_peak");
+    { const cl::Buffer high(context, CL_MEM_READ_WRITE, 8192); }
+    const cl::Buffer stays(context, CL_MEM_READ_WRITE, 512);
+    restart_peak();
+    const size_t alive = counts_now().bytes_alive;
+    EXPECT_EQ(counts_now().bytes_peak, alive);
+    { const cl::Buffer low(context, CL_MEM_READ_WRITE, 1024); }
+    EXPECT_EQ(counts_now().bytes_alive, alive);
+    EXPECT_EQ(counts_now().bytes_peak, alive + 1024);
 }
 
 TEST(Counts, HoldABufferWhileASubBufferOfItIsAlive) {

@@ -100,6 +100,11 @@ rsh_counts Objects::counts() const {
     return counts_;
 }
 
+void Objects::restart_peak() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    counts_.bytes_peak = counts_.bytes_alive;
+}
+
 void Objects::write(const char* path) const {
     const rsh_counts now = counts();
     std::FILE* const file = std::fopen(path, "w");

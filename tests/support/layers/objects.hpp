@@ -21,6 +21,7 @@ public:
     void release(void* object);
     bool is_binary(void* program) const;
     rsh_counts counts() const;
+    void restart_peak();
     // Ends the process where it cannot.
     void write(const char* path) const;
 
