@@ -56,6 +56,10 @@ std::vector<std::string> library_names();
 std::unique_ptr<Contender> make_library(const std::string& name, const Device& device,
                                         const DeviceStream& stream);
 
+// Lest a contender that writes nothing be judged by the answer of the one before it. Nobody keeps an
+// element that begins with RSH_NO_HIT.
+void spoil_answer(const Device& device, const DeviceStream& stream);
+
 // Reads the output: whether its first `count` elements are the answer.
 bool is_output_right(const Device& device, const DeviceStream& stream, size_t count,
                      bool is_stable);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 
 #include "bvh/types.h"
 #include "frame/ray_maker.hpp"
 #include "rays/levels.hpp"
+#include "reduce/streams/stream_files.hpp"
 
 namespace bench {
 namespace {
@@ -133,21 +135,29 @@ cl_uint child_of(const ray_levels& levels, cl_uint level, cl_uint parent, int k)
     return (2 * y + cl_uint(k >> 1)) * levels.width[level] + 2 * x + cl_uint(k & 1);
 }
 
-// One level of the traversal. The flags of its tested pairs, and `pairs` become the survivors.
-std::vector<cl_uchar> descend(const Hierarchy& hierarchy, cl_uint level,
-                              std::vector<HostPair>& pairs) {
-    std::vector<cl_uchar> flags;
+// As the engine calls it in its streams: kernels/traverse/paper_faithful/types.h.
+cl_uint name_of(const ray_levels& levels, cl_uint level, cl_uint node) {
+    if (level == 0) return node;
+    return node / levels.width[level] << 16 | node % levels.width[level];
+}
+
+// One level of the traversal: its tested pairs. `pairs` become those that survive.
+std::vector<StreamPair> descend(const Hierarchy& hierarchy, cl_uint level,
+                                std::vector<HostPair>& pairs) {
+    const ray_levels& levels = hierarchy.levels();
+    std::vector<StreamPair> tested;
     std::vector<HostPair> survivors;
-    flags.reserve(4 * pairs.size());
+    tested.reserve(4 * pairs.size());
     for (const HostPair& pair : pairs)
         for (int k = 0; k < 4; ++k) {
-            flags.push_back(hierarchy.meets(level, pair, k));
-            if (flags.back())
-                survivors.push_back(
-                    {pair.triangle, child_of(hierarchy.levels(), level, pair.node, k)});
+            const cl_uint child = child_of(levels, level, pair.node, k);
+            const bool survives = hierarchy.meets(level, pair, k);
+            if (survives) survivors.push_back({pair.triangle, child});
+            tested.push_back(
+                {survives ? pair.triangle : RSH_NO_HIT, name_of(levels, level, child)});
         }
     pairs = std::move(survivors);
-    return flags;
+    return tested;
 }
 
 // Rounding may decide a few of them otherwise. Below a stream that outgrew the budget, the library
@@ -162,6 +172,21 @@ void require_close(const rsh_statistics& statistics, size_t found, cl_uint level
             "pairs of level {}: found {}, the library counts {}", level, found, counted));
 }
 
+// Level by level, from the coarsest to `lowest`.
+void for_pair_levels(
+    const Device& device, const std::string& scene, cl_uint lowest,
+    const std::function<void(cl_uint level, const std::vector<StreamPair>& tested)>& use) {
+    const Hierarchy hierarchy(device, scene);
+    const rsh_statistics counted = hierarchy.count();
+    std::vector<HostPair> pairs;
+    for (cl_uint i = 0; i < hierarchy.triangle_count(); ++i) pairs.push_back({i, 0});
+    for (cl_uint level = hierarchy.levels().count; level-- > lowest;) {
+        const std::vector<StreamPair> tested = descend(hierarchy, level, pairs);
+        require_close(counted, pairs.size(), level);
+        use(level, tested);
+    }
+}
+
 }  // namespace
 
 bool has_scenes() {
@@ -171,18 +196,27 @@ bool has_scenes() {
 std::vector<cl_uchar> make_pair_flags(const Device& device, const std::string& pattern,
                                       size_t most) {
     const size_t colon = pattern.rfind(':');
-    const Hierarchy hierarchy(device, pattern.substr(6, colon - 6));
     const cl_uint wanted = cl_uint(std::stoul(pattern.substr(colon + 1)));
-    const rsh_statistics counted = hierarchy.count();
-    std::vector<HostPair> pairs;
-    for (cl_uint i = 0; i < hierarchy.triangle_count(); ++i) pairs.push_back({i, 0});
     std::vector<cl_uchar> flags;
-    for (cl_uint level = hierarchy.levels().count; level-- > wanted;) {
-        flags = descend(hierarchy, level, pairs);
-        require_close(counted, pairs.size(), level);
-    }
+    for_pair_levels(device, pattern.substr(6, colon - 6), wanted,
+                    [&](cl_uint level, const std::vector<StreamPair>& tested) {
+                        if (level > wanted) return;
+                        for (const StreamPair& pair : tested)
+                            flags.push_back(pair.triangle != RSH_NO_HIT);
+                    });
     if (flags.size() > most) flags.resize(most);
     return flags;
+}
+
+void dump_pair_streams(const Device& device, const std::string& scene,
+                       const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    for_pair_levels(
+        device, scene, 0, [&](cl_uint level, const std::vector<StreamPair>& tested) {
+            const auto path = folder / fmt::format("{}_level_{}.pairs", scene, level);
+            write_pairs(path, tested);
+            fmt::print("{}: {} pairs\n", path.string(), tested.size());
+        });
 }
 
 }  // namespace bench

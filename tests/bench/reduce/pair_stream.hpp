@@ -4,6 +4,8 @@
 // tests are done again here, on the host, because the library hands no stream out.
 #pragma once
 
+#include <filesystem>
+
 #include "device.hpp"
 
 namespace bench {
@@ -16,5 +18,9 @@ bool has_scenes();
 // numbers of pairs are not those that the library counted.
 std::vector<cl_uchar> make_pair_flags(const Device& device, const std::string& pattern,
                                       size_t most);
+
+// Writes the tested pairs of each level to FOLDER/SCENE_level_N.pairs. Throws as make_pair_flags does.
+void dump_pair_streams(const Device& device, const std::string& scene,
+                       const std::filesystem::path& folder);
 
 }  // namespace bench

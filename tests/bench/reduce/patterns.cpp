@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <stdexcept>
 
 #include "reduce/parts.hpp"
+#include "reduce/streams/bitmap.hpp"
+#include "reduce/streams/stream_files.hpp"
 
 namespace bench {
 namespace {
@@ -62,28 +63,8 @@ fs::path mask_folder() {
     return scenes ? fs::path(scenes) / "masks" : fs::path();
 }
 
-// A bitmap as PBM stores it (P4): rows of bits, the highest first, padded to bytes.
-Flags read_mask(const std::string& name) {
-    const fs::path path = mask_folder() / (name + ".pbm");
-    std::ifstream file(path, std::ios::binary);
-    std::string magic;
-    size_t width = 0, height = 0;
-    if (!(file >> magic >> width >> height) || magic != "P4" || file.get() == EOF)
-        throw std::runtime_error(
-            fmt::format("found no bitmap in {} (RSH_SCENES)", path.string()));
-    const size_t row_bytes = (width + 7) / 8;
-    std::vector<char> rows(row_bytes * height);
-    if (!file.read(rows.data(), std::streamsize(rows.size())))
-        throw std::runtime_error(fmt::format("{} ends early", path.string()));
-    Flags flags;
-    for (size_t y = 0; y < height; ++y)
-        for (size_t x = 0; x < width; ++x)
-            flags.push_back(rows[y * row_bytes + x / 8] >> (7 - x % 8) & 1);
-    return flags;
-}
-
 Flags mask_flags(const StreamSpec& spec) {
-    const Flags mask = read_mask(spec.pattern.substr(5));
+    const Flags mask = read_bitmap(mask_folder() / (spec.pattern.substr(5) + ".pbm"));
     Flags flags(spec.count ? spec.count : mask.size());
     for (size_t i = 0; i < flags.size(); ++i) flags[i] = mask[i % mask.size()];
     return flags;
@@ -98,6 +79,7 @@ std::vector<cl_uchar> make_flags(const StreamSpec& spec) {
     if (spec.pattern == "alternating") return alternating_flags(spec);
     if (spec.pattern == "sorted") return sorted_flags(spec);
     if (spec.pattern.rfind("mask:", 0) == 0) return mask_flags(spec);
+    if (!spec.path.empty()) return read_stream_file(spec.path);
     throw std::runtime_error(fmt::format(
         "pattern: is \"{}\", must be random, runs, alternating, sorted, mask:NAME or pairs:...",
         spec.pattern));

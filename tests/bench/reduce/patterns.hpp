@@ -4,6 +4,7 @@
 //   alternating  as evenly as can be
 //   sorted       the first ones
 //   mask:NAME    pixels of RSH_SCENES/masks/NAME.pbm, row by row, over and over
+//   file:NAME    those of a file, see streams/stream_files.hpp
 //   pairs:SCENE:LEVEL  the survivors among a level's tested pairs, see pair_stream.hpp
 #pragma once
 

@@ -11,6 +11,7 @@
 #include "reduce/needs.hpp"
 #include "reduce/pair_stream.hpp"
 #include "reduce/patterns.hpp"
+#include "reduce/plugins/plugins.hpp"
 #include "reduce/pyopencl_peer.hpp"
 #include "timing.hpp"
 
@@ -84,7 +85,8 @@ public:
                      : run.quick           ? 15
                                            : 150),
           pyopencl_(run.device),
-          heats_(select_heats(options, run.quick)) {}
+          plugins_(options.plugins),
+          heats_(select_heats(options, plugins_.names(), run.quick)) {}
 
     void run() {
         size_t cases = 0;
@@ -161,10 +163,22 @@ private:
             pyopencl_.add(now.stream, describe(name, now.stream, keep));
     }
 
+    // Null if it cannot take the stream. Plug-ins say why.
+    std::unique_ptr<Contender> make(const std::string& name, const Track& now) {
+        if (!plugins_.has(name))
+            return make_contender(name, device_, rsh_.get(), now.on_device);
+        std::string refusal;
+        auto contender = plugins_.make(name, device_, now.on_device, refusal);
+        if (!contender)
+            results_.leave_out(describe(name, now.stream, now.on_device.keep).name, refusal);
+        return contender;
+    }
+
     void race(Track& now, const std::string& name, Keep keep) {
-        const auto contender = make_contender(name, device_, rsh_.get(), now.on_device);
+        const auto contender = make(name, now);
         if (!contender) return;
         Case result = describe(name, now.stream, keep);
+        spoil_answer(device_, now.on_device);
         contender->run();
         const double check_ms = milliseconds([&] { result.ok = contender->is_right(); });
         if (!result.ok) return hand_in(result);
@@ -195,6 +209,7 @@ private:
     WidthContext rsh_;
     double budget_ms_;
     PyopenclPeer pyopencl_;
+    Plugins plugins_;
     std::vector<Heat> heats_;
     std::unique_ptr<Track> track_;
     Estimate estimate_;
@@ -203,16 +218,18 @@ private:
 }  // namespace
 
 void ReduceSuite::add_options(CLI::App& app) {
-    app.add_option("--n", options_.counts, "Elements, e.g. 65536,4194304")->delimiter(',');
+    CLI::Option* const count =
+        app.add_option("--n", options_.counts, "Elements, e.g. 65536,4194304")->delimiter(',');
     app.add_option("--bytes", options_.bytes, "Bytes per element: 4, 8, 12, 16")
         ->delimiter(',')
         ->check(CLI::IsMember({4, 8, 12, 16}));
-    app.add_option("--keep", options_.keeps, "Percents kept")
-        ->delimiter(',')
-        ->check(CLI::Range(0, 100));
-    app.add_option("--pattern", options_.patterns,
-                   "random, runs, alternating, sorted, mask:NAME, pairs:SCENE:LEVEL")
-        ->delimiter(',');
+    CLI::Option* const keep = app.add_option("--keep", options_.keeps, "Percents kept")
+                                  ->delimiter(',')
+                                  ->check(CLI::Range(0, 100));
+    CLI::Option* const pattern =
+        app.add_option("--pattern", options_.patterns,
+                       "random, runs, alternating, sorted, mask:NAME, pairs:SCENE:LEVEL")
+            ->delimiter(',');
     app.add_option("--strategy", options_.contenders,
                    "Strategies and peers; own: all of the library")
         ->delimiter(',');
@@ -220,9 +237,34 @@ void ReduceSuite::add_options(CLI::App& app) {
     app.add_option("--budget", options_.budget_ms, "Milliseconds of timing per case");
     app.add_option("--vector-width", options_.vector_width,
                    "Of the library's kernels: 1 shows those for GPUs");
+    app.add_option("--streams", options_.streams,
+                   "Reduce the files of this folder: .flags, .pairs, .pbm, .pgm")
+        ->excludes(count)
+        ->excludes(keep)
+        ->excludes(pattern);
+    app.add_option("--plugin", options_.plugins,
+                   "Shared objects with reductions that take part: rsh_bench_plugin.h")
+        ->delimiter(',');
+    add_dump(app);
+}
+
+void ReduceSuite::add_dump(CLI::App& app) {
+    CLI::Option* const folder = app.add_option(
+        "--dump", options_.dump,
+        "Reduce nothing: write the pairs of --scene to this folder, a file per level");
+    CLI::Option* const scenes =
+        app.add_option("--scene", options_.scenes, "Names of samples/scenes, for --dump")
+            ->delimiter(',');
+    folder->needs(scenes);
+    scenes->needs(folder);
 }
 
 void ReduceSuite::run(const bench::Run& run) {
+    if (!options_.dump.empty()) {
+        for (const std::string& scene : options_.scenes)
+            dump_pair_streams(run.device, scene, options_.dump);
+        return;
+    }
     Race race(run, options_);
     race.run();
 }

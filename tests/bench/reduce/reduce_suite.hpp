@@ -17,6 +17,8 @@ public:
     void run(const Run& run) override;
 
 private:
+    void add_dump(CLI::App& app);
+
     ReduceOptions options_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "reduce/pair_stream.hpp"
 #include "reduce/patterns.hpp"
+#include "reduce/streams/stream_files.hpp"
 
 namespace bench {
 namespace {
@@ -101,7 +102,22 @@ std::vector<StreamSpec> asked_streams(const ReduceOptions& o) {
     return streams;
 }
 
+// Elements of pairs have 8 bytes, all others those that were asked for. What cannot be read is told
+// before anything is timed.
+std::vector<StreamSpec> streams_of_files(const ReduceOptions& o) {
+    std::vector<StreamSpec> streams;
+    for (const std::filesystem::path& path : find_stream_files(o.streams)) {
+        const auto count = cl_uint(read_stream_file(path).size());
+        for (const cl_uint bytes :
+             has_pairs(path) ? std::vector<cl_uint>{8} : either(o.bytes, {4}))
+            streams.push_back(
+                {"file:" + path.filename().string(), count, bytes, 50, path.string()});
+    }
+    return streams;
+}
+
 std::vector<StreamSpec> select_streams(const ReduceOptions& o, bool quick) {
+    if (!o.streams.empty()) return streams_of_files(o);
     if (!o.counts.empty() || !o.bytes.empty() || !o.keeps.empty() || !o.patterns.empty())
         return asked_streams(o);
     return quick ? quick_streams() : all_streams();
@@ -125,24 +141,28 @@ std::vector<std::string> expanded(const std::vector<std::string>& names) {
 }
 
 // Peers decide by the element itself.
-std::vector<std::string> select_contenders(const ReduceOptions& o, Keep keep) {
+std::vector<std::string> select_contenders(const ReduceOptions& o,
+                                           const std::vector<std::string>& plugins, Keep keep) {
     std::vector<std::string> names = strategies();
     if (keep == Keep::kNotNull) {
         const std::vector<std::string> peers = peer_names();
         names.insert(names.end(), peers.begin(), peers.end());
         names.emplace_back("peer:pyopencl");
     }
-    return expanded(either(o.contenders, names));
+    std::vector<std::string> all = expanded(either(o.contenders, names));
+    all.insert(all.end(), plugins.begin(), plugins.end());
+    return all;
 }
 
 }  // namespace
 
-std::vector<Heat> select_heats(const ReduceOptions& options, bool quick) {
+std::vector<Heat> select_heats(const ReduceOptions& options,
+                               const std::vector<std::string>& plugins, bool quick) {
     std::vector<Heat> heats;
     for (const StreamSpec& stream : select_streams(options, quick))
         for (const std::string& by : either(options.keep_by, {"not_null"})) {
             const Keep keep = keep_named(by);
-            heats.push_back({stream, keep, select_contenders(options, keep)});
+            heats.push_back({stream, keep, select_contenders(options, plugins, keep)});
         }
     return heats;
 }

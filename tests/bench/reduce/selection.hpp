@@ -13,6 +13,10 @@ struct ReduceOptions {
     std::vector<std::string> patterns;
     std::vector<std::string> contenders;
     std::vector<std::string> keep_by;
+    std::string streams;               // a folder: its files, see streams/stream_files.hpp
+    std::vector<std::string> plugins;  // shared objects
+    std::string dump;                  // a folder: nothing is reduced, streams are written
+    std::vector<std::string> scenes;   // of which pairs are written
     cl_uint vector_width = 0;
     double budget_ms = 0;
 };
@@ -24,6 +28,9 @@ struct Heat {
     std::vector<std::string> contenders;  // peer:pyopencl among them
 };
 
-std::vector<Heat> select_heats(const ReduceOptions& options, bool quick);
+// plugins: their names, beside whoever else takes part. Throws std::runtime_error for a file that is
+// no stream.
+std::vector<Heat> select_heats(const ReduceOptions& options,
+                               const std::vector<std::string>& plugins, bool quick);
 
 }  // namespace bench

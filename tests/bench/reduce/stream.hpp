@@ -13,6 +13,7 @@ struct StreamSpec {
     cl_uint count = 0;      // elements; 0: as many as the pattern has
     cl_uint bytes = 4;      // of an element
     int keep_percent = 50;  // what patterns without a density of their own aim at
+    std::string path = {};  // of the pattern file:NAME
 };
 
 struct Stream {
