@@ -98,7 +98,11 @@ void add_pixels(Layout& layout, const Context& context, const rsh_frame_desc& de
 
 }  // namespace
 
-cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& desc) {
+// By the streams of a frame without a budget. If the budget had a say, the least one, which is found with
+// the strategy of a smaller one, might be too little for its own.
+cl_uint chosen_strategy(const Context& context, const rsh_frame_desc& asked) {
+    rsh_frame_desc desc = asked;
+    desc.budget = 0;
     const rsh_traverse_desc traverse = traverse_of(desc, desc.width, desc.height);
     if (!is_approximate(desc)) return chosen_strategy(context, traverse);
     return chosen_strategy(context, desc.strategy,

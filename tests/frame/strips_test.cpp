@@ -47,6 +47,22 @@ TEST(Strips, GiveTheSameBytes) {
     }
 }
 
+// What is named as the least suffices, also where it has room for streams of which another strategy
+// would be chosen than of those of a smaller budget.
+TEST(Strips, TakeTheLeastBudgetThatIsNamed) {
+    const test::DeviceScene scene(test::gallery());
+    FrameOptions options;
+    options.height = 192;
+    options.bounces = 2;
+    for (const test::TraceOptions& way : test::all_ways())
+        for (const uint32_t width : {5u, 61u, 512u, 640u, 1024u, 2048u, 8192u}) {
+            SCOPED_TRACE(name_of(way) + ", width " + std::to_string(width));
+            options.engine = way.engine;
+            options.width = width;
+            EXPECT_GT(test::least_budget(scene, options), 0u);
+        }
+}
+
 TEST(Strips, GiveTheSameBytesWhereTheLastOneIsARow) {
     const test::DeviceScene scene(test::gallery());
     FrameOptions options;
