@@ -7,6 +7,8 @@ namespace {
 
 using bench::memory::Budget;
 using bench::memory::budgets_from;
+using bench::memory::is_refusal_below;
+using bench::memory::keeps_to;
 using bench::memory::least_named_by;
 
 std::vector<std::string> names(const std::vector<Budget>& budgets) {
@@ -38,6 +40,20 @@ TEST(Refusal, NamesTheLeast) {
     EXPECT_EQ(least_named_by("rsh_frame_query: RSH_INVALID_VALUE: budget: is 1, must be 0 or "
                              "at least 5000000000"),
               5000000000u);
+}
+
+TEST(Refusal, BelowTheLeastSaysWhatItWasAndMustBe) {
+    EXPECT_TRUE(is_refusal_below("budget: is 99, must be 0 or at least 100", 100));
+    EXPECT_FALSE(is_refusal_below("budget: is 99, must be 0 or at least 128", 100));
+    EXPECT_FALSE(is_refusal_below("budget: is 1, must be 0 or at least 100", 100));
+    EXPECT_FALSE(is_refusal_below("", 100)) << "it was not refused";
+}
+
+TEST(Peak, IsWithinWhatIsAllowed) {
+    EXPECT_TRUE(keeps_to(100, 100));
+    EXPECT_TRUE(keeps_to(100, 1));
+    EXPECT_FALSE(keeps_to(100, 101));
+    EXPECT_FALSE(keeps_to(100, 0)) << "nothing was counted";
 }
 
 TEST(Refusal, OfSomethingElseIsNone) {

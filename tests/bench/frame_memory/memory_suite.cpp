@@ -48,7 +48,7 @@ const std::vector<Row>& rows() {
         {room("room-several-10k", Reflector::kSeveral, 10000), {128, 192}, true},
         {room("room-several-20k", Reflector::kSeveral, 20000), {512, 512}},
         {room("room-glass-80k", Reflector::kGlass, 80000), {512, 512}},
-        {room("room-floor-700k", Reflector::kFloor, 700000), {512, 512}},
+        {room("room-floor-700k", Reflector::kFloor, 700000), {256, 256}},
         {file("cornell_mirror"), {512, 512}},
         {file("chinese_dragon_20k"), {512, 512}},
         {file("kitchen"), {512, 512}},

@@ -29,6 +29,8 @@ COSTS = {
     "hits": {"ms_total": Metric(spread="ms"),
              "ratio_embree_default": Metric(more_is_better=True, spread="ms"),
              "ratio_embree_robust": Metric(more_is_better=True, spread="ms")},
+    "memory": {"slowdown": Metric(spread="slowdown"), "ms": Metric(spread="ms"), "bytes_peak": Metric(),
+               "batches": Metric(), "budget": Metric()},
     "mirrors": {"times_the_best": Metric(), "position_error_median": Metric(),
                 "direction_error_median": Metric(), "next_hit_error_median": Metric(), "lost": Metric(),
                 "half_lost_at": Metric(more_is_better=True), "tenth_lost_at": Metric(more_is_better=True)},

@@ -6,6 +6,7 @@ import ablation.report
 import accuracy.report
 import approximate.report
 import budgets.report
+import frame_memory.report
 import hits.report
 import mirrors.report
 import reduce.report
@@ -36,6 +37,7 @@ SUITES = {
     "budgets": Suite(budgets.report.table, filled=budgets.report.filled),
     "frame": Suite(),
     "hits": Suite(hits.report.table, plots={"hits.svg": hits.report.plot}),
+    "memory": Suite(frame_memory.report.table),
     "mirrors": Suite(mirrors.report.table, plots={"mirrors.png": mirrors.report.plot}),
     "parity": Suite(),
     "programs": Suite(),
