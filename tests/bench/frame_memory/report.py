@@ -8,14 +8,14 @@ MIB = 1 << 20
 
 
 def by_subject(results, call):
-    """(scene, size, engine) -> budget -> metrics, of one call."""
+    """(scene, size, engine) -> budget -> metrics, of one call; without what a run that was cut short left."""
     found = {}
     for case in results.cases:
         params = case["params"]
         if params["call"] == call:
             size = f"{params['width']}x{params['height']}"
             found.setdefault((params["scene"], size, params["engine"]), {})[params["budget"]] = case["metrics"]
-    return found
+    return {subject: budgets for subject, budgets in found.items() if {WITHOUT, "least"} <= budgets.keys()}
 
 
 def measured(budgets):
@@ -58,20 +58,29 @@ def call_table(results, call):
 def verdict(results):
     """What all cases together show."""
     cases = [case["metrics"] for case in results.cases if case["params"]["budget"] != "below"]
-    frames = [case["metrics"] for case in results.cases
-              if case["params"]["call"] == "frame" and case["metrics"].get("budget") and "bytes_peak" in case["metrics"]]
-    refused = sum(case["params"]["budget"] == "below" for case in results.cases)
-    highest = max(metrics["bytes_peak"] / metrics["bytes_allowed"] for metrics in cases)
-    text = (f"- {sum(metrics['mismatches'] for metrics in cases)} mismatches in {len(cases)} cases. The peak is at "
-            f"most {highest:.4f} of what is allowed")
-    if frames:
-        text += f"; of frames at most {max(m['bytes_peak'] / m['budget'] for m in frames):.4f} of the budget"
-    return f"{text}. A byte less than the least was refused, by its name, {refused} times of {refused}."
+    highest = max((metrics["bytes_peak"] / metrics["bytes_allowed"] for metrics in cases), default=0)
+    return (f"- {sum(metrics['mismatches'] for metrics in cases)} mismatches in {len(cases)} cases. Allocated at once "
+            f"is at most {highest:.4f} of what is allowed. A byte less than the least is an error that names the "
+            f"least, {len(results.cases) - len(cases)} times of as many.")
+
+
+def batch_costs(results):
+    """Of each trace, the milliseconds that a batch more takes, from no budget to the least one."""
+    for budgets in by_subject(results, "trace").values():
+        least, free = budgets["least"], budgets[WITHOUT]
+        if least["batches"] > free["batches"]:
+            yield (least["ms"] - free["ms"]) / (least["batches"] - free["batches"])
+
+
+def batches_text(results):
+    costs = list(batch_costs(results))
+    return [f"- Rays: a batch more takes {min(costs):.2f} to {max(costs):.2f} ms, from no budget to the least "
+            f"one."] if costs else []
 
 
 def table(results):
     lines = [line for call in HEADS for line in call_table(results, call)]
     about = ["- Cells: the time over that without a budget in the same round, median · batches of triangles, all "
              "traversals together · most MiB that were allocated at once, by a layer that counts. Last column: the "
-             "time itself.", verdict(results), measured_on(results)]
+             "time itself.", verdict(results), *batches_text(results), measured_on(results)]
     return "\n".join([*lines, wrapped(about)])

@@ -100,6 +100,25 @@ class Tables(InFolder):
         self.assertIn("with 0.01: good. Not so: slow (1.49 times), seen (seen), spotty (seen).",
                       " ".join(text.split()))
 
+    def test_of_memory_each_budget_is_beside_none(self):
+        def trace(budget, slowdown, batches, peak, bytes_of_budget):
+            params = {"call": "trace", "scene": "room", "width": 64, "height": 32, "engine": "paper",
+                      "budget": budget}
+            metrics = {"refusal": "budget: is 65535"} if budget == "below" else {
+                "ms": 10 * slowdown, "slowdown": slowdown, "batches": batches, "bytes_peak": peak << 20,
+                "bytes_allowed": 8 << 20, "budget": bytes_of_budget, "mismatches": 0}
+            return case(f"memory/{budget}", params, metrics)
+        text = self.passes(self.store("m.json", document_of(
+            "memory", trace("below", 0, 0, 0, 65535), trace("none", 1, 1, 8, 0), trace("least", 1.5, 11, 2, 65536),
+            trace("16x", 1.2, 4, 3, 1 << 20), trace("4x", 1.3, 6, 3, 1 << 18), trace("whole", 1, 1, 8, 8 << 20))))
+        self.assertIn("| | least, MiB | least | 4x | 16x | whole | without |\n", text)
+        self.assertIn("| room 64x32, paper | 0.06 | 1.50 · 11 · 2.0 | 1.30 · 6 · 3.0 | 1.20 · 4 · 3.0 | "
+                      "1.00 · 1 · 8.0 | 10 ms · 1 · 8.0 |\n", text)
+        self.assertNotIn("Frames", text)
+        text = " ".join(text.split())
+        self.assertIn("0 mismatches in 5 cases. Allocated at once is at most 1.0000 of what is allowed.", text)
+        self.assertIn("a batch more takes 0.50 to 0.50 ms", text)
+
     def test_several_files_of_a_suite_are_one_table(self):
         def stream(strategy, speed):
             params = {"strategy": strategy, "n": 1 << 22, "bytes": 4, "keep": 50, "pattern": "random",
