@@ -7,6 +7,7 @@
 #include "frame_memory/memory_suite.hpp"
 #include "hits/hits_suite.hpp"
 #include "mirrors/mirrors_suite.hpp"
+#include "paper/paper_suite.hpp"
 #include "parity/parity_suite.hpp"
 #include "programs/programs_suite.hpp"
 #include "queries/queries_suite.hpp"
@@ -25,14 +26,15 @@ const std::vector<Suite*>& suites() {
     static HitsSuite hits;
     static MemorySuite memory;
     static MirrorsSuite mirrors;
+    static PaperSuite paper;
     static ParitySuite parity;
     static ProgramsSuite programs;
     static QueriesSuite queries;
     static ReduceSuite reduce;
     static StabilitySuite stability;
     static const std::vector<Suite*> all = {
-        &ablation, &accuracy, &approximate, &budgets, &frame,  &hits,     &memory,
-        &mirrors,  &parity,   &programs,    &queries, &reduce, &stability};
+        &ablation, &accuracy, &approximate, &budgets, &frame,  &hits,   &memory,
+        &mirrors,  &paper,    &parity,      &programs, &queries, &reduce, &stability};
     return all;
 }
 

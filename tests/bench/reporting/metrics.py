@@ -34,6 +34,9 @@ COSTS = {
     "mirrors": {"times_the_best": Metric(), "position_error_median": Metric(),
                 "direction_error_median": Metric(), "next_hit_error_median": Metric(), "lost": Metric(),
                 "half_lost_at": Metric(more_is_better=True), "tenth_lost_at": Metric(more_is_better=True)},
+    "paper": {"ms": Metric(spread="ms"), "frame_ms": Metric(spread="frame_ms"),
+              "build_over_copy": Metric(spread="build_over_copy"), "bytes_peak": Metric(),
+              "pairs_peak": Metric(), "node_tests": Metric(), "ray_tests": Metric()},
     "parity": {"near": Metric()},
     "programs": {"seconds": Metric()},
     "queries": {f"{kind}_{query}": Metric() for kind in ("ms", "ratio", "ms_traverse", "ratio_traverse")

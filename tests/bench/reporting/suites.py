@@ -39,6 +39,7 @@ SUITES = {
     "hits": Suite(hits.report.table, plots={"hits.svg": hits.report.plot}),
     "memory": Suite(frame_memory.report.table),
     "mirrors": Suite(mirrors.report.table, plots={"mirrors.png": mirrors.report.plot}),
+    "paper": Suite(),
     "parity": Suite(),
     "programs": Suite(),
     "queries": Suite(),

@@ -1,0 +1,93 @@
+// paper_suite.cpp - chooses rows and engines, and runs them row by row.
+#include "paper/paper_suite.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "paper/build_row.hpp"
+#include "paper/measure.hpp"
+#include "paper/rows.hpp"
+#include "progress.hpp"
+
+namespace bench {
+namespace {
+
+using namespace paper;
+
+// Quick: within a minute on two cores, once the programs are compiled.
+const Amount kQuick = {0.5, 5, 5, 1e7};
+const Amount kUsual = {4, 60, 12, 1e8};
+constexpr size_t kQuickPairs = 11, kUsualPairs = 51;
+
+struct Selected {
+    Row row;
+    std::vector<std::string> engines;
+};
+
+struct Selection {
+    std::vector<Selected> rows;
+    std::vector<std::string> builds;  // engines of the row `build`
+};
+
+Selection select(bool quick, const std::string& filter) {
+    const std::regex wanted(filter.empty() ? "." : filter);
+    const auto engines = [&](const auto& name_of) {
+        std::vector<std::string> found;
+        for (const std::string engine : kEngines)
+            if ((!quick || engine == "tiles") && std::regex_search(name_of(engine), wanted))
+                found.push_back(engine);
+        return found;
+    };
+    Selection selection;
+    selection.builds = engines(build_case_name);
+    for (const Row& row : rows()) {
+        if (quick && !row.is_quick) continue;
+        Selected one = {
+            row, engines([&](const std::string& engine) { return case_name(row, engine); })};
+        if (!one.engines.empty()) selection.rows.push_back(one);
+    }
+    return selection;
+}
+
+void list(const Selection& selection) {
+    for (const std::string& engine : selection.builds)
+        fmt::print("{}\n", build_case_name(engine));
+    for (const Selected& one : selection.rows)
+        for (const std::string& engine : one.engines)
+            fmt::print("{}\n", case_name(one.row, engine));
+}
+
+// A scene whose files are missing is left out.
+void measure(const Run& run, Estimate& estimate, const Selected& one, const Amount& amount) {
+    std::string why = run.limit.has_passed() ? run.limit.when_passed() : "";
+    try {
+        if (why.empty()) return measure_row(run, estimate, one.row, one.engines, amount);
+    } catch (const std::exception& error) {
+        why = describe_error(error);
+    }
+    for (const std::string& engine : one.engines)
+        run.results.leave_out(case_name(one.row, engine), why);
+}
+
+}  // namespace
+
+void PaperSuite::add_options(CLI::App& app) {
+    app.add_option("--filter", filter_, "Only cases whose name has a match of this expression");
+    app.add_flag("--list", lists_, "Print the names of the cases instead of running them");
+}
+
+void PaperSuite::run(const Run& run) {
+    const Selection selection = select(run.quick, filter_);
+    if (lists_) return list(selection);
+    ProgressBar progress(selection.rows.size() + 1);
+    progress.begin(kBuildRow);
+    measure_builds(run, selection.builds, run.quick ? kQuickPairs : kUsualPairs);
+    Estimate estimate;
+    for (const Selected& one : selection.rows) {
+        progress.begin(one.row.name);
+        measure(run, estimate, one, run.quick ? kQuick : kUsual);
+    }
+}
+
+}  // namespace bench

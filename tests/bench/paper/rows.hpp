@@ -1,0 +1,52 @@
+// rows.hpp - the figures of the paper's talk, a row each: the scene that stands for the paper's, its size,
+// which rays it traces, and the milliseconds that the talk tells of a GeForce 8800 GTS (2007).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/ray_maker.hpp"
+
+namespace bench::paper {
+
+// What makes the scene. All but kFile are generated.
+enum class Source { kSphere, kCovering, kSeveral, kStatue, kFile };
+
+struct SceneKind {
+    Source source;
+    std::string name;                       // of the scene that is rendered, in the results
+    int64_t triangles = 0;                  // of a generated scene, about
+    std::string file;                       // of samples/scenes, of kFile
+    bool moves = false;                     // from frame to frame
+    std::vector<std::string> mirrors = {};  // of kFile: files of meshes that are made mirrors
+};
+
+struct Row {
+    std::string name;  // "one_reflector"
+    SceneKind scene;
+    Size size{512, 512};
+    cl_uint bounces = 1;  // reflections
+    bool has_shadows = false;
+    std::optional<double> paper_ms = {};
+    bool is_quick = false;  // part of --quick, with the engine `tiles`
+    // What the stand-in must be like to stand for the paper's scene: the share of pixels that spawn rays,
+    // and how many reflecting things are seen.
+    double least_spawn_share = 0;
+    size_t least_reflectors = 0;
+};
+
+// A row of one name at several numbers of triangles or pixels is a series.
+std::vector<Row> rows();
+
+// "paper/row:patio/triangles:700000/size:512x512/engine:tiles"
+std::string case_name(const Row& row, const std::string& engine);
+
+// The row without a scene: the hierarchy over 1 M rays, against a copy of their bytes.
+constexpr const char* kBuildRow = "build";
+constexpr double kBuildPaperMs = 2;
+constexpr double kMostBuildOverCopy = 1.2;
+
+constexpr const char* kEngines[] = {"paper_faithful", "paper", "tiles"};
+
+}  // namespace bench::paper
