@@ -9,12 +9,12 @@ constexpr int64_t kGrowth[] = {50000, 100000, 200000, 400000, 700000};
 constexpr cl_uint kSides[] = {128, 256, 512, 1024, 2048, 4096};
 
 SceneKind generated(Source source, const char* name, int64_t triangles) {
-    return {source, name, triangles, "", false, {}};
+    return {source, name, triangles, "", false, {}, {}};
 }
 
 SceneKind file(const char* name, bool moves) {
     return {Source::kFile, name, 0, std::string(RSH_SCENE_FILES "/") + name + ".json",
-            moves,         {}};
+            moves,         {},   {}};
 }
 
 // The talk tells the time of the largest scene of a series alone.
@@ -85,6 +85,7 @@ void add_files(std::vector<Row>& rows) {
     Row large = {"large", file("large", false)};
     large.scene.name = "large, its range scans mirrors";
     large.scene.mirrors = {"dragon_up.ply", "dragon_side.ply"};
+    large.scene.eye_and_target = {{3.75f, 0.27f, 1.3f}, {3.33f, 0.07f, 0.82f}};
     large.least_spawn_share = 0.15;
     large.paper_ms = 18500;
     large.is_quick = true;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frame/ray_maker.hpp"
@@ -15,11 +16,14 @@ enum class Source { kSphere, kCovering, kSeveral, kStatue, kFile };
 
 struct SceneKind {
     Source source;
-    std::string name;                       // of the scene that is rendered, in the results
-    int64_t triangles = 0;                  // of a generated scene, about
-    std::string file;                       // of samples/scenes, of kFile
-    bool moves = false;                     // from frame to frame
-    std::vector<std::string> mirrors = {};  // of kFile: files of meshes that are made mirrors
+    std::string name;       // of the scene that is rendered, in the results
+    int64_t triangles = 0;  // of a generated scene, about
+    std::string file;       // of samples/scenes, of kFile
+    bool moves = false;     // from frame to frame
+    // Of kFile: what is changed to have more rays: files of meshes that become mirrors, and where a
+    // camera that sees them stands and looks.
+    std::vector<std::string> mirrors = {};
+    std::optional<std::pair<glm::vec3, glm::vec3>> eye_and_target = {};
 };
 
 struct Row {

@@ -1,4 +1,6 @@
 // scene_files.cpp - scene files of samples/scenes and what moves in them, by rsh-render's own reader.
+#include <tuple>
+
 #include "paper/scenes.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/world.hpp"
@@ -21,19 +23,22 @@ render::SceneDescription describe(const SceneKind& kind) {
 
 class SceneFromFile final : public MovingScene {
 public:
-    explicit SceneFromFile(const SceneKind& kind) : world_(describe(kind)) {}
+    explicit SceneFromFile(const SceneKind& kind) : kind_(kind), world_(describe(kind)) {}
 
     StillScene at(double fraction) override {
         const render::Interval span = world_.time_span();
         world_.move_to(span.start + fraction * (span.end - span.start));
         StillScene scene = {world_.mesh(), world_.materials(), world_.lights(),
                             world_.camera()};
+        if (kind_.eye_and_target)
+            std::tie(scene.camera.eye, scene.camera.at) = *kind_.eye_and_target;
         scene.mesh.texcoords.clear();
         for (rsh_material& material : scene.materials) material.texture = RSH_NO_TEXTURE;
         return scene;
     }
 
 private:
+    SceneKind kind_;
     render::World world_;
 };
 
