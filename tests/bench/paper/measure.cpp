@@ -127,6 +127,15 @@ json counts(const Times& times) {
             {"rays", rays}};
 }
 
+// Of the first frame, with the engine paper_faithful: the pairs of triangles and nodes by level, [0] those
+// of triangles and rays.
+json pairs_by_level(const Times& times) {
+    const cl_ulong* found = times.works.front().statistics.pairs_tested;
+    std::vector<cl_ulong> pairs(found, found + RSH_MAX_LEVELS + 1);
+    while (!pairs.empty() && pairs.back() == 0) pairs.pop_back();
+    return pairs;
+}
+
 json times_of(const Row& row, const Times& times) {
     json found = {{"ms", typical(row, times.ms)},
                   {"ms_low", spread(times.ms).low},
@@ -142,6 +151,8 @@ json times_of(const Row& row, const Times& times) {
                   {"frames", times.ms.size()}};
     found.update(shares(times));
     found.update(counts(times));
+    const json pairs = pairs_by_level(times);
+    if (!pairs.empty()) found["pairs_by_level"] = pairs;
     if (row.paper_ms)
         found.update({{"paper_ms", *row.paper_ms},
                       {"speedup", *row.paper_ms / found["ms"].get<double>()}});
@@ -167,6 +178,8 @@ public:
                    {"bounces", row_.bounces},
                    {"shadows", row_.has_shadows},
                    {"batches", 1}};
+        if (row_.scene.source == Source::kLayers) params_["layers"] = row_.scene.layers;
+        if (!row_.strategy.empty()) params_["strategy"] = row_.strategy;
         look();
     }
 
@@ -203,6 +216,9 @@ private:
 FrameSettings RowRun::settings(const std::string& engine) const {
     FrameSettings made = {row_.size, row_.bounces};
     rsh::check(rsh_engine_from_name(engine.c_str(), &made.engine), "rsh_engine_from_name");
+    if (!row_.strategy.empty())
+        rsh::check(rsh_strategy_from_name(row_.strategy.c_str(), &made.strategy),
+                   "rsh_strategy_from_name");
     return made;
 }
 

@@ -6,8 +6,10 @@
 #include <regex>
 
 #include "paper/build_row.hpp"
+#include "paper/cones/sphere_row.hpp"
 #include "paper/measure.hpp"
 #include "paper/rows.hpp"
+#include "paper/summary.hpp"
 #include "progress.hpp"
 
 namespace bench {
@@ -27,24 +29,43 @@ struct Selected {
 
 struct Selection {
     std::vector<Selected> rows;
-    std::vector<std::string> builds;  // engines of the row `build`
+    std::vector<std::string> builds;   // engines of the row `build`
+    std::vector<std::string> spheres;  // cases of the row `sphere_for_triangle`
 };
 
-Selection select(bool quick, const std::string& filter) {
-    const std::regex wanted(filter.empty() ? "." : filter);
-    const auto engines = [&](const auto& name_of) {
+// Names of cases that are asked for.
+class Filter {
+public:
+    Filter(bool quick, const std::string& expression)
+        : quick_(quick), wanted_(expression.empty() ? "." : expression) {}
+
+    bool has(const std::string& name) const { return std::regex_search(name, wanted_); }
+    // name_of: of a case, by its engine.
+    template <class NameOf>
+    std::vector<std::string> engines(const NameOf& name_of) const {
         std::vector<std::string> found;
         for (const std::string engine : kEngines)
-            if ((!quick || engine == "tiles") && std::regex_search(name_of(engine), wanted))
-                found.push_back(engine);
+            if ((!quick_ || engine == "tiles") && has(name_of(engine))) found.push_back(engine);
         return found;
-    };
+    }
+
+private:
+    bool quick_;
+    std::regex wanted_;
+};
+
+Selection select(bool quick, const std::string& expression) {
+    const Filter filter(quick, expression);
     Selection selection;
-    selection.builds = engines(build_case_name);
+    selection.builds = filter.engines(build_case_name);
+    for (const std::string& name : sphere_case_names())
+        if (!quick && filter.has(name)) selection.spheres.push_back(name);
     for (const Row& row : rows()) {
         if (quick && !row.is_quick) continue;
-        Selected one = {
-            row, engines([&](const std::string& engine) { return case_name(row, engine); })};
+        Selected one = {row, {}};
+        for (const std::string& engine :
+             filter.engines([&](const std::string& engine) { return case_name(row, engine); }))
+            if (row.takes(engine)) one.engines.push_back(engine);
         if (!one.engines.empty()) selection.rows.push_back(one);
     }
     return selection;
@@ -53,6 +74,7 @@ Selection select(bool quick, const std::string& filter) {
 void list(const Selection& selection) {
     for (const std::string& engine : selection.builds)
         fmt::print("{}\n", build_case_name(engine));
+    for (const std::string& name : selection.spheres) fmt::print("{}\n", name);
     for (const Selected& one : selection.rows)
         for (const std::string& engine : one.engines)
             fmt::print("{}\n", case_name(one.row, engine));
@@ -83,10 +105,15 @@ void PaperSuite::run(const Run& run) {
     ProgressBar progress(selection.rows.size() + 1);
     progress.begin(kBuildRow);
     measure_builds(run, selection.builds, run.quick ? kQuickPairs : kUsualPairs);
+    measure_spheres(run, selection.spheres);
     Estimate estimate;
     for (const Selected& one : selection.rows) {
         progress.begin(one.row.name);
         measure(run, estimate, one, run.quick ? kQuick : kUsual);
+    }
+    for (const Case& summary : summarize(run.results.cases())) {
+        fmt::print("{}", as_text_of_summary(summary));
+        run.results.add(summary);
     }
 }
 

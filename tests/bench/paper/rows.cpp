@@ -8,13 +8,13 @@ namespace {
 constexpr int64_t kGrowth[] = {50000, 100000, 200000, 400000, 700000};
 constexpr cl_uint kSides[] = {128, 256, 512, 1024, 2048, 4096};
 
-SceneKind generated(Source source, const char* name, int64_t triangles) {
-    return {source, name, triangles, "", false, {}, {}};
+SceneKind generated(Source source, const char* name, int64_t triangles, cl_uint layers = 1) {
+    return {source, name, triangles, layers, "", false, {}, {}};
 }
 
 SceneKind file(const char* name, bool moves) {
-    return {Source::kFile, name, 0, std::string(RSH_SCENE_FILES "/") + name + ".json",
-            moves,         {},   {}};
+    const std::string path = std::string(RSH_SCENE_FILES "/") + name + ".json";
+    return {Source::kFile, name, 0, 1, path, moves, {}, {}};
 }
 
 // The talk tells the time of the largest scene of a series alone.
@@ -92,21 +92,40 @@ void add_files(std::vector<Row>& rows) {
     rows.push_back(large);
 }
 
+// What the talk claims without a figure: that hidden triangles cost as much as others, and which way to
+// reduce a stream is the quickest.
+void add_claims(std::vector<Row>& rows) {
+    for (const cl_uint layers : {1u, 2u, 4u, 8u, 16u})
+        rows.push_back({"occlusion", generated(Source::kLayers, "sheets behind each other",
+                                               100000, layers)});
+    for (const char* strategy : {"block", "block_search", "chunk", "scan_scatter", "horn",
+                                 "blelloch", "atomic", "lookback", "count_emit"}) {
+        Row reduction = {"reduction",
+                         generated(Source::kCovering, "room, mirror floor from above", 30000)};
+        reduction.strategy = strategy;
+        rows.push_back(reduction);
+    }
+}
+
 }  // namespace
 
 std::vector<Row> rows() {
     std::vector<Row> all;
     add_still(all);
     add_series(all);
+    add_claims(all);
     add_files(all);
     return all;
 }
 
 std::string case_name(const Row& row, const std::string& engine) {
-    const std::string triangles =
-        row.scene.triangles > 0 ? fmt::format("/triangles:{}", row.scene.triangles) : "";
-    return fmt::format("paper/row:{}{}/size:{}x{}/engine:{}", row.name, triangles,
-                       row.size.width, row.size.height, engine);
+    std::string series;
+    if (row.scene.triangles > 0) series += fmt::format("/triangles:{}", row.scene.triangles);
+    if (row.scene.source == Source::kLayers)
+        series += fmt::format("/layers:{}", row.scene.layers);
+    if (!row.strategy.empty()) series += "/strategy:" + row.strategy;
+    return fmt::format("paper/row:{}{}/size:{}x{}/engine:{}", row.name, series, row.size.width,
+                       row.size.height, engine);
 }
 
 }  // namespace bench::paper

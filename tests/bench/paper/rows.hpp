@@ -12,14 +12,16 @@
 namespace bench::paper {
 
 // What makes the scene. All but kFile are generated.
-enum class Source { kSphere, kCovering, kSeveral, kStatue, kFile };
+enum class Source { kSphere, kCovering, kSeveral, kStatue, kLayers, kFile };
 
 struct SceneKind {
     Source source;
     std::string name;       // of the scene that is rendered, in the results
     int64_t triangles = 0;  // of a generated scene, about
-    std::string file;       // of samples/scenes, of kFile
-    bool moves = false;     // from frame to frame
+    cl_uint layers =
+        1;  // of kLayers: sheets behind each other, of which the first hides the others
+    std::string file;    // of samples/scenes, of kFile
+    bool moves = false;  // from frame to frame
     // Of kFile: what is changed to have more rays: files of meshes that become mirrors, and where a
     // camera that sees them stands and looks.
     std::vector<std::string> mirrors = {};
@@ -38,12 +40,21 @@ struct Row {
     // and how many reflecting things are seen.
     double least_spawn_share = 0;
     size_t least_reflectors = 0;
+    std::string strategy =
+        {};  // how paper_faithful, and nothing else, reduces; empty: the library's choice
+
+    // Of the strategies, paper_faithful alone knows anything.
+    bool takes(const std::string& engine) const {
+        return strategy.empty() || engine == "paper_faithful";
+    }
 };
 
-// A row of one name at several numbers of triangles or pixels is a series.
+// A row of one name at several numbers of triangles, pixels or layers, or with several strategies, is a
+// series.
 std::vector<Row> rows();
 
-// "paper/row:patio/triangles:700000/size:512x512/engine:tiles"
+// "paper/row:patio/triangles:700000/size:512x512/engine:tiles"; behind the triangles "/layers:4" or
+// "/strategy:chunk", if the row is of these.
 std::string case_name(const Row& row, const std::string& engine);
 
 // The row without a scene: the hierarchy over 1 M rays, against a copy of their bytes.

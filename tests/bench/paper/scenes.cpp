@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generate/room.hpp"
+#include "paper/layers.hpp"
 #include "paper/statue.hpp"
 #include "scene/device_structs.hpp"
 
