@@ -63,6 +63,8 @@ StillScene generate(const SceneKind& kind) {
     switch (kind.source) {
         case Source::kCovering:
             return covering_room(kind.triangles);
+        case Source::kLayers:
+            return make_layers(kind.triangles, kind.layers);
         case Source::kStatue:
             return statue_room(kind.triangles);
         case Source::kSeveral:

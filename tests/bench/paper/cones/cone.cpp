@@ -21,7 +21,7 @@ Distance distance_to(const Cone& cone, const glm::dvec3& point) {
     const glm::dvec3 across = way - along * cone.axis;
     const double off = glm::length(across), c = std::cos(cone.angle), s = std::sin(cone.angle);
     const double side = off * c - along * s;
-    if (side <= 0) return {0, glm::dvec3(0.0)};
+    if (side <= 0 && along >= 0) return {0, glm::dvec3(0.0)};
     if (along * c + off * s < 0) return {glm::length(way), way / glm::length(way)};
     return {side, c * across / off - s * cone.axis};
 }
@@ -40,6 +40,10 @@ glm::dvec3 closest_on(const Cone& cone, const glm::dvec3& from, const glm::dvec3
 }
 
 }  // namespace
+
+bool Cone::meets_all() const {
+    return angle >= kRightAngle;
+}
 
 Cone cone_of(const rsh_ray& ray) {
     const cl_float* o = ray.origin_tmin.s;
@@ -90,7 +94,7 @@ Sphere sphere_of(const Triangle& triangle) {
 }
 
 bool meets(const Cone& cone, const Sphere& sphere) {
-    return cone.angle >= kRightAngle ||
+    return cone.meets_all() ||
            distance_to(cone, sphere.centre).value <= cone.radius + sphere.radius;
 }
 
@@ -98,7 +102,7 @@ bool meets(const Cone& cone, const Sphere& sphere) {
 // the corner that the gradient points to. As the distance is convex, the gradient also tells what it is at
 // least. What is closer to the radius than a millionth of it is a meeting.
 bool meets(const Cone& cone, const Triangle& triangle) {
-    if (cone.angle >= kRightAngle) return true;
+    if (cone.meets_all()) return true;
     glm::dvec3 point = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
     const double most = cone.radius * (1 + 1e-6);
     for (int step = 0; step < 1000; ++step) {

@@ -17,6 +17,7 @@ struct Cone {
     double angle = 0;
 
     bool is_empty() const { return radius < 0; }
+    bool meets_all() const;  // 90 degrees and wider: no test tells anything
 };
 
 Cone cone_of(const rsh_ray& ray);
@@ -37,7 +38,7 @@ Sphere sphere_of(const Triangle& triangle);
 // The paper's test, with the case of spheres behind the apex.
 bool meets(const Cone& cone, const Sphere& sphere);
 
-// Exact but for rounding. A cone of 90 degrees or more meets all.
+// Exact but for rounding.
 bool meets(const Cone& cone, const Triangle& triangle);
 
 }  // namespace bench::paper

@@ -74,7 +74,7 @@ TestCosts time_tests(const Pyramid& pyramid, const std::vector<glm::dvec3>& corn
                                                       corners[i + 2]};
                            const Cone& cone =
                                pyramid[level][(7919 * i) % pyramid[level].size()];
-                           if (cone.is_empty()) continue;
+                           if (cone.is_empty() || cone.meets_all()) continue;
                            ++tests;
                            met += test(cone, triangle);
                        }

@@ -22,7 +22,7 @@ Pyramid make_pyramid(const std::vector<rsh_ray>& rays, size_t side);  // a power
 
 void descend(const Pyramid& pyramid, const Triangle& triangle, ConeTests& tests);
 
-// Nanoseconds of each test on this host, over cones of all levels.
+// Nanoseconds of each test on this host, over cones of all levels that do not meet everything.
 struct TestCosts {
     double sphere_ns = 0, triangle_ns = 0;
 };
