@@ -9,6 +9,8 @@ import budgets.report
 import frame_memory.report
 import hits.report
 import mirrors.report
+import paper.plots
+import paper.report
 import reduce.report
 from reporting import plain
 
@@ -39,7 +41,7 @@ SUITES = {
     "hits": Suite(hits.report.table, plots={"hits.svg": hits.report.plot}),
     "memory": Suite(frame_memory.report.table),
     "mirrors": Suite(mirrors.report.table, plots={"mirrors.png": mirrors.report.plot}),
-    "paper": Suite(),
+    "paper": Suite(paper.report.table, more=paper.report.SECTIONS, plots=paper.plots.PLOTS),
     "parity": Suite(),
     "programs": Suite(),
     "queries": Suite(),
