@@ -1,5 +1,7 @@
 #include "paper/cones/false_positives.hpp"
 
+#include <algorithm>
+
 #include "support/rays.hpp"
 #include "timing.hpp"
 
@@ -48,6 +50,27 @@ std::vector<Cone> level_above(const std::vector<Cone>& below, size_t side) {
     return level;
 }
 
+struct Tested {
+    const Cone* cone;
+    Triangle triangle;
+    Sphere sphere;
+};
+
+// Each triangle with a cone of each level, but those of single rays.
+std::vector<Tested> pairs_to_time(const Pyramid& pyramid,
+                                  const std::vector<glm::dvec3>& corners) {
+    std::vector<Tested> all;
+    for (size_t level = 1; level < pyramid.size(); ++level)
+        for (size_t i = 0; i + 2 < corners.size(); i += 3) {
+            const Cone& cone = pyramid[level][(7919 * i) % pyramid[level].size()];
+            if (cone.is_empty() || cone.meets_all()) continue;
+            Tested one = {&cone, {corners[i], corners[i + 1], corners[i + 2]}, {}};
+            one.sphere = sphere_of(one.triangle);
+            all.push_back(one);
+        }
+    return all;
+}
+
 }  // namespace
 
 Pyramid make_pyramid(const std::vector<rsh_ray>& rays, size_t side) {
@@ -64,36 +87,24 @@ void descend(const Pyramid& pyramid, const Triangle& triangle, ConeTests& tests)
 }
 
 TestCosts time_tests(const Pyramid& pyramid, const std::vector<glm::dvec3>& corners) {
-    size_t tests = 0, met = 0;
-    const auto for_all = [&](const auto& test) {
-        tests = 0;
-        return 1e6 * milliseconds([&] {
-                   for (size_t level = 1; level < pyramid.size(); ++level)
-                       for (size_t i = 0; i + 2 < corners.size(); i += 3) {
-                           const Triangle triangle = {corners[i], corners[i + 1],
-                                                      corners[i + 2]};
-                           const Cone& cone =
-                               pyramid[level][(7919 * i) % pyramid[level].size()];
-                           if (cone.is_empty() || cone.meets_all()) continue;
-                           ++tests;
-                           met += test(cone, triangle);
-                       }
-               });
+    const std::vector<Tested> all = pairs_to_time(pyramid, corners);
+    size_t met = 0;
+    const auto nanoseconds = [&](const auto& test) {
+        constexpr int kRounds = 31;
+        std::vector<double> rounds;
+        for (int round = 0; round < kRounds; ++round)
+            rounds.push_back(milliseconds([&] {
+                for (const Tested& one : all) met += test(one);
+            }));
+        return 1e6 * spread(rounds).median / double(std::max<size_t>(all.size(), 1));
     };
-    std::vector<Sphere> spheres;
-    for (size_t i = 0; i + 2 < corners.size(); i += 3)
-        spheres.push_back(sphere_of({corners[i], corners[i + 1], corners[i + 2]}));
-    size_t next = 0;
     TestCosts costs;
-    costs.sphere_ns = for_all([&](const Cone& cone, const Triangle&) {
-        next = next + 1 < spheres.size() ? next + 1 : 0;
-        return meets(cone, spheres[next]);
-    });
-    costs.sphere_ns /= double(tests);
-    costs.triangle_ns = for_all(
-        [](const Cone& cone, const Triangle& triangle) { return meets(cone, triangle); });
-    costs.triangle_ns /= double(tests);
-    return met > 0 ? costs : TestCosts();
+    costs.sphere_ns =
+        nanoseconds([](const Tested& one) { return meets(*one.cone, one.sphere); });
+    costs.triangle_ns =
+        nanoseconds([](const Tested& one) { return meets(*one.cone, one.triangle); });
+    // Without a use of what was found, the tests could be left out.
+    return met == SIZE_MAX ? TestCosts() : costs;
 }
 
 }  // namespace bench::paper
