@@ -2,17 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
-#include <numeric>
 
-#include "accuracy/scene_on_device.hpp"
-#include "paper/frame.hpp"
+#include "paper/moment.hpp"
 #include "paper/paper_text.hpp"
-#include "paper/reflectors.hpp"
-#include "paper/scenes.hpp"
-#include "scene/device_structs.hpp"
+#include "paper/scenes/reflectors.hpp"
+#include "paper/times.hpp"
 #include "timing.hpp"
 
 namespace bench::paper {
@@ -20,146 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-// One moment of a row's scene, in buffers.
-class Moment {
-public:
-    Moment(const Device& device, StillScene scene, const Row& row)
-        : device_(device),
-          still_(std::move(scene)),
-          staged_(accuracy::staged(still_)),
-          on_device_(device, with_aspect(row.size)),
-          scene_(on_device_.without(features_without(row))) {}
-
-    const StillScene& still() const { return still_; }
-    const accuracy::SceneOnDevice& on_device() const { return on_device_; }
-    void place_in(Frame& frame) const { frame.place(scene_, on_device_.camera()); }
-
-    // Milliseconds to send what moves to the device once more: positions and normals.
-    double upload() const {
-        const render::Mesh& mesh = still_.mesh;
-        return milliseconds([&] {
-            send(scene_.geometry.vertices, mesh.positions);
-            send(scene_.normals, mesh.normals);
-        });
-    }
-
-private:
-    // The paper's rays: reflections, and shadows where it tells of them.
-    static rsh_features features_without(const Row& row) {
-        return RSH_FEATURE_REFRACTION | (row.has_shadows ? 0 : RSH_FEATURE_SHADOW);
-    }
-    const accuracy::Staged& with_aspect(Size size) {
-        staged_.camera =
-            render::device_camera(still_.camera, float(size.width) / float(size.height));
-        return staged_;
-    }
-    void send(cl_mem buffer, const std::vector<glm::vec3>& items) const {
-        if (buffer && !items.empty())
-            device_.queue().enqueueWriteBuffer(cl::Buffer(buffer, true), CL_TRUE, 0,
-                                               items.size() * sizeof(glm::vec3), items.data());
-    }
-
-    const Device& device_;
-    StillScene still_;
-    accuracy::Staged staged_;
-    accuracy::SceneOnDevice on_device_;
-    rsh_scene scene_;
-};
-
+// Frames that take longer are rendered once.
 constexpr double kSlowMs = 3000;
-
-struct Times {
-    std::vector<double> frame_ms, ms;
-    std::vector<FrameWork> works;
-};
-
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) /
-           double(std::max<size_t>(values.size(), 1));
-}
-
-// The median where nothing moves, else the animation's mean.
-double typical(const Row& row, const std::vector<double>& values) {
-    return row.scene.moves ? mean(values) : spread(values).median;
-}
-
-double stage(const Times& times, std::initializer_list<int> stages) {
-    double sum = 0;
-    for (const FrameWork& work : times.works)
-        for (const int i : stages) sum += work.stage_ms[size_t(i)];
-    return sum / double(times.works.size());
-}
-
-// Shares of the frames that were counted; `other` is all that has no name here: the camera's rays,
-// spawning, clears, and waits of the host.
-json shares(const Times& times) {
-    double whole = 0;
-    for (const FrameWork& work : times.works)
-        whole += work.frame_ms / double(times.works.size());
-    json found = {{"share_build", stage(times, {RSH_STAGE_BOUND, RSH_STAGE_BUILD}) / whole},
-                  {"share_tests", stage(times, {RSH_STAGE_TEST}) / whole},
-                  {"share_reduction", stage(times, {RSH_STAGE_REDUCE}) / whole},
-                  {"share_intersect", stage(times, {RSH_STAGE_INTERSECT}) / whole},
-                  {"share_shade", stage(times, {RSH_STAGE_SHADE}) / whole}};
-    double named = 0;
-    for (const json& share : found) named += share.get<double>();
-    found["share_other"] = 1 - named;
-    return found;
-}
-
-json counts(const Times& times) {
-    double node_tests = 0, ray_tests = 0, batches = 0, rays = 0;
-    cl_ulong pairs = 0;
-    const double n = double(times.works.size());
-    for (const FrameWork& work : times.works) {
-        const rsh_statistics& s = work.statistics;
-        node_tests += double(s.node_tests) / n;
-        ray_tests += double(s.ray_tests) / n;
-        batches = std::max(batches, work.batches());
-        pairs = std::max(pairs, s.peak_pairs);
-        for (size_t i = 1; i <= RSH_MAX_LEVELS; ++i) rays += double(s.active_rays[i]) / n;
-        for (const cl_ulong shadow : s.shadow_rays) rays += double(shadow) / n;
-    }
-    return {{"batches", batches},
-            {"pairs_peak", pairs},
-            {"node_tests", node_tests},
-            {"ray_tests", ray_tests},
-            {"rays", rays}};
-}
-
-// Of the first frame, with the engine paper_faithful: the pairs of triangles and nodes by level, [0] those
-// of triangles and rays.
-json pairs_by_level(const Times& times) {
-    const cl_ulong* found = times.works.front().statistics.pairs_tested;
-    std::vector<cl_ulong> pairs(found, found + RSH_MAX_LEVELS + 1);
-    while (!pairs.empty() && pairs.back() == 0) pairs.pop_back();
-    return pairs;
-}
-
-json times_of(const Row& row, const Times& times) {
-    json found = {{"ms", typical(row, times.ms)},
-                  {"ms_low", spread(times.ms).low},
-                  {"ms_high", spread(times.ms).high},
-                  {"frame_ms", typical(row, times.frame_ms)},
-                  {"frame_ms_low", spread(times.frame_ms).low},
-                  {"frame_ms_high", spread(times.frame_ms).high},
-                  {"ms_bound", stage(times, {RSH_STAGE_BOUND})},
-                  {"ms_build", stage(times, {RSH_STAGE_BUILD})},
-                  {"ms_tests", stage(times, {RSH_STAGE_TEST})},
-                  {"ms_reduction", stage(times, {RSH_STAGE_REDUCE})},
-                  {"ms_intersect", stage(times, {RSH_STAGE_INTERSECT})},
-                  {"frames", times.ms.size()}};
-    found.update(shares(times));
-    found.update(counts(times));
-    const json pairs = pairs_by_level(times);
-    if (!pairs.empty()) found["pairs_by_level"] = pairs;
-    if (row.paper_ms)
-        found.update({{"paper_ms", *row.paper_ms},
-                      {"speedup", *row.paper_ms / found["ms"].get<double>()}});
-    if (row.scene.moves)
-        found.update({{"ms_by_frame", times.ms}, {"frame_ms_by_frame", times.frame_ms}});
-    return found;
-}
 
 class RowRun {
 public:
@@ -200,9 +58,10 @@ private:
     FrameSettings settings(const std::string& engine) const;
     void look();
     std::string shortfall() const;
-    bool check(Frame& frame, json& metrics) const;
+    bool check(Frame& frame, json& metrics);
     void time_frame(Frame& frame, size_t frame_number, size_t count, Times& times);
     Times time(Frame& frame, size_t most);
+    bool check_and_time(const std::string& engine, Frame& frame, json& metrics);
 
     const Run& run_;
     Estimate& estimate_;
@@ -253,12 +112,23 @@ std::string RowRun::shortfall() const {
     return {};
 }
 
-bool RowRun::check(Frame& frame, json& metrics) const {
-    const rsh_audit_report report = frame.audit(amount_.audit_tests);
-    metrics.update({{"audited_rays", report.rays},
-                    {"mismatches", report.differences},
+// What moves is checked at three moments.
+bool RowRun::check(Frame& frame, json& metrics) {
+    cl_ulong rays = 0, differences = 0;
+    for (const double fraction : {0.1, 0.5, 0.9}) {
+        if (row_.scene.moves) {
+            move_to(fraction);
+            moment_->place_in(frame);
+        }
+        const rsh_audit_report report = frame.audit(amount_.audit_tests);
+        rays += report.rays;
+        differences += report.differences;
+        if (!row_.scene.moves) break;
+    }
+    metrics.update({{"audited_rays", rays},
+                    {"mismatches", differences},
                     {"bytes_peak", frame.scratch_bytes()}});
-    return report.differences == 0;
+    return differences == 0;
 }
 
 // A frame of seconds is rendered once, and both times are its own.
@@ -291,6 +161,21 @@ Times RowRun::time(Frame& frame, size_t most) {
     return times;
 }
 
+// Whether all was right; an error is among the metrics.
+bool RowRun::check_and_time(const std::string& engine, Frame& frame, json& metrics) {
+    const std::string lack = shortfall();
+    if (!lack.empty()) metrics["error"] = lack;
+    if (!lack.empty()) return false;
+    try {
+        frame.allocate();
+        if (!check(frame, metrics)) return false;
+        metrics.update(times_of(row_, time(frame, frames(engine))));
+    } catch (const std::exception& error) {
+        metrics["error"] = describe_error(error);
+    }
+    return !metrics.contains("error");
+}
+
 void RowRun::measure(const std::string& engine) {
     Frame frame(run_.device, settings(engine));
     if (row_.scene.moves) move_to(0.5);
@@ -299,16 +184,7 @@ void RowRun::measure(const std::string& engine) {
     if (!why.empty()) return run_.results.leave_out(case_name(row_, engine), why);
     const auto start = std::chrono::steady_clock::now();
     json metrics = json::object();
-    bool is_right = shortfall().empty();
-    if (!is_right) metrics["error"] = shortfall();
-    if (is_right) try {
-            frame.allocate();
-            is_right = check(frame, metrics);
-            if (is_right) metrics.update(times_of(row_, time(frame, frames(engine))));
-        } catch (const std::exception& error) {
-            is_right = false;
-            metrics["error"] = describe_error(error);
-        }
+    const bool is_right = check_and_time(engine, frame, metrics);
     estimate_.add(
         engine, work(),
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

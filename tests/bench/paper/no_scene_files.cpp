@@ -1,5 +1,5 @@
 // no_scene_files.cpp - without rsh-render's reader there are generated rooms alone.
-#include "paper/scenes.hpp"
+#include "paper/scenes/scenes.hpp"
 
 namespace bench::paper {
 

@@ -1,7 +1,7 @@
 // scene_files.cpp - scene files of samples/scenes and what moves in them, by rsh-render's own reader.
 #include <tuple>
 
-#include "paper/scenes.hpp"
+#include "paper/scenes/scenes.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/world.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "paper/layers.hpp"
-#include "paper/reflectors.hpp"
-#include "paper/statue.hpp"
+#include "paper/scenes/layers.hpp"
+#include "paper/scenes/reflectors.hpp"
+#include "paper/scenes/statue.hpp"
 
 namespace bench::paper {
 namespace {

@@ -1,11 +1,11 @@
 // scenes.cpp - the generated rooms that stand for the paper's scenes, and the way to those in files.
-#include "paper/scenes.hpp"
+#include "paper/scenes/scenes.hpp"
 
 #include <algorithm>
 
 #include "generate/room.hpp"
-#include "paper/layers.hpp"
-#include "paper/statue.hpp"
+#include "paper/scenes/layers.hpp"
+#include "paper/scenes/statue.hpp"
 #include "scene/device_structs.hpp"
 
 namespace bench::paper {

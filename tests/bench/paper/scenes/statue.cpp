@@ -1,5 +1,5 @@
 // statue.cpp - a lathe's outline, with waves on it.
-#include "paper/statue.hpp"
+#include "paper/scenes/statue.hpp"
 
 #include <algorithm>
 #include <cmath>

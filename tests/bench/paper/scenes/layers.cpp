@@ -1,5 +1,5 @@
 // layers.cpp - the camera stands between the mirror and the sheets, and looks into the mirror.
-#include "paper/layers.hpp"
+#include "paper/scenes/layers.hpp"
 
 #include <algorithm>
 #include <cmath>

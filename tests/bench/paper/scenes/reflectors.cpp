@@ -1,5 +1,5 @@
 // reflectors.cpp - a union of sets over the corners of reflecting triangles.
-#include "paper/reflectors.hpp"
+#include "paper/scenes/reflectors.hpp"
 
 #include <map>
 #include <numeric>
