@@ -234,14 +234,25 @@ std::optional<std::string> find_in_archive(const std::string& archive,
     return archive + ":" + name;
 }
 
+std::optional<std::string> find_in_archive_of_same_name(const std::string& path) {
+    for (const char* ending : kArchives) {
+        const std::string candidate = fs::path(path).replace_extension(ending).string();
+        if (!is_file(candidate)) continue;
+        if (auto found = find_in_archive(candidate, fs::path(path).filename().string()))
+            return found;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> find_asset(const std::string& path) {
     if (is_file(path)) return path;
     const size_t colon = member_colon(path);
-    return colon == std::string::npos
-               ? find_in_folders(path)
-               : find_in_archive(path.substr(0, colon), path.substr(colon + 1));
+    if (colon != std::string::npos)
+        return find_in_archive(path.substr(0, colon), path.substr(colon + 1));
+    auto found = find_in_folders(path);
+    return found ? found : find_in_archive_of_same_name(path);
 }
 
 Asset read_asset(const std::string& path) {

@@ -56,6 +56,8 @@ TEST(Asset, MembersBringTheirNeighbours) {
 TEST(Asset, AFileThatIsAbsentIsFoundInTheArchiveOfItsName) {
     const TemporaryFolder folder;
     folder.write_tar_xz("t.tar.xz", {{"t.obj", kTriangle}, {"t.mtl", kMaterial}});
+    EXPECT_EQ(find_asset(folder.path("t.obj")), folder.path("t.tar.xz") + ":t.obj");
+    EXPECT_EQ(find_asset(folder.path("t.ply")), std::nullopt);
     const Model model = load_mesh(folder.path("t.obj"));
     EXPECT_EQ(model.mesh.triangles.size(), 1u);
     EXPECT_EQ(model.materials[0].diffuse, glm::vec3(1, 0, 0));

@@ -141,11 +141,10 @@ void AffAnimation::place_lights(double time, const Pose& pose, Model& model) con
     }
 }
 
-// Keys of the name "camera" move it: it stands where they translate to and looks along -z of
-// their rotation.
+// It stands where its keys translate to and looks along -z of their rotation.
 void AffAnimation::place_camera(double time, Model& model) const {
     model.camera = scene_.camera;
-    const Track* keys = track("camera");
+    const Track* keys = track(kCameraKeys);
     if (!keys) return;
     if (!model.camera) model.camera.emplace();
     const glm::dmat4 matrix = keys->matrix(time);

@@ -13,7 +13,9 @@ namespace render {
 
 // BART's own animations restart some lists at an earlier time. A program that looks a time up from
 // the front never gets to such keys: they are left out, with a warning, up to the first one that is
-// later than all before. Throws LoadError for a time that is no number.
+// later than all before. Other lists have two keys at one time, as times are rounded to hundredths of a
+// second; both stay, and what they move jumps there, with a warning too. Throws LoadError for a time
+// that is no number.
 class AffKeys {
 public:
     AffKeys(AffTokens& tokens, std::vector<std::string>& warnings)
@@ -22,7 +24,7 @@ public:
     // "transl", "rot" or "scale" of the keys `name`; at least kMinCurveKeys come out.
     std::vector<CurveKey> curve(const std::string& kind, const std::string& name);
     std::vector<VisibilityKey> visibility(const std::string& name);
-    // Times and keys; the vertex is not set. Only the first one that is short of keys is warned of.
+    // Times and keys; the vertex is not set. Only the first one with a slip is warned of.
     AffMorph morph();
 
 private:

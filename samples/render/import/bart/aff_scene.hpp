@@ -31,6 +31,9 @@ struct AffLight {
     std::string track;  // of an animated light; else empty
 };
 
+// The name of the keys that move the camera.
+constexpr const char* kCameraKeys = "camera";
+
 struct AffScene {
     Mesh mesh;  // every vertex in the coordinates of its node
     std::vector<size_t> vertex_nodes;

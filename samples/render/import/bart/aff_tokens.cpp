@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "files/asset.hpp"
+#include "files/references.hpp"
 #include "files/text_scan.hpp"
 
 namespace render {
@@ -35,12 +36,14 @@ void AffTokens::open(const std::string& path) {
     files_.push_back({std::move(asset.location), std::move(asset.bytes), start});
 }
 
-void AffTokens::include(const std::string& name) {
+bool AffTokens::include(const std::string& name) {
     if (files_.size() == kMaxDepth)
         fail("includes are nested " + std::to_string(kMaxDepth) +
-             " deep; does a file include "
-             "itself?");
-    open(sibling_path(files_.back().location, name));
+             " deep; does a file include itself?");
+    const std::string path = find_reference(location(), name);
+    if (!find_asset(path)) return false;
+    open(path);
+    return true;
 }
 
 bool AffTokens::find_word() {

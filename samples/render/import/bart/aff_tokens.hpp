@@ -14,8 +14,9 @@ public:
     // Throws LoadError, as all functions here do; messages name file and line.
     explicit AffTokens(const std::string& path);
 
-    // Goes on in `name`, a file beside the present one, and comes back after its end.
-    void include(const std::string& name);
+    // Goes on in `name`, a file beside the present one (see references.hpp), and comes back after its
+    // end. False: there is no such file.
+    bool include(const std::string& name);
 
     // The next word; empty at the end of the last file.
     std::string next();
@@ -26,6 +27,7 @@ public:
     size_t count(const char* what, size_t numbers);
     glm::dvec3 vector(const char* what);
     void expect(const char* word);
+    const std::string& location() const { return files_.back().location; }
     std::string where();  // "a.aff, line 3"
     [[noreturn]] void fail(const std::string& what);
 

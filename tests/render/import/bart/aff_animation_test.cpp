@@ -1,29 +1,10 @@
 // aff_animation_test.cpp - AFF files of a few lines at chosen times.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
-#include "files/text_scan.hpp"
-#include "import/bart/aff_animation.hpp"
-#include "temporary_folder.hpp"
+#include "import/bart/aff_text.hpp"
 
 namespace render {
 namespace {
-
-std::unique_ptr<Animation> load_text(const std::string& text) {
-    const TemporaryFolder folder;
-    return load_aff(folder.write("a.aff", text));
-}
-
-std::string error_of(const std::string& text) {
-    try {
-        load_text(text);
-    } catch (const LoadError& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "loads, but must not:\n" << text;
-    return {};
-}
 
 void expect_near(glm::vec3 actual, glm::vec3 expected, const char* what) {
     EXPECT_LT(glm::distance(actual, expected), 1e-5f)
