@@ -30,7 +30,7 @@ RenderSettings render_settings(const Options& options, const SceneSettings& scen
     s.size = options.size.value_or(scene.size.value_or(s.size));
     s.bounces = options.bounces.value_or(scene.bounces.value_or(s.bounces));
     s.min_weight = options.min_weight.value_or(scene.min_weight.value_or(s.min_weight));
-    s.tolerance = options.tolerance;
+    s.tolerance = static_cast<float>(options.tolerance);
     s.cut = scene.cut.value_or(s.cut);
     s.engine = options.engine;
     s.bound = options.bound;
@@ -64,7 +64,7 @@ void warn_of_time(const Options& options, const SceneSettings& scene, const Worl
         fmt::print(stderr, "warning: --time: {}\n", warning);
 }
 
-RunReport begin_report(const rsh::Device& device, const World& world,
+RunReport begin_report(const rsh::Device& device, const World& world, const Options& options,
                        const RenderSettings& settings) {
     RunReport report;
     report.device = name_of(device);
@@ -77,7 +77,7 @@ RunReport begin_report(const rsh::Device& device, const World& world,
     report.triangles = world.mesh().triangles.size();
     report.size = settings.size;
     report.bounces = settings.bounces;
-    report.tolerance = settings.tolerance;
+    report.tolerance = options.tolerance;
     return report;
 }
 
@@ -162,7 +162,7 @@ int run(const Options& options) {
     const int count = static_cast<int>(times.size());
     check_pictures(options, count, settings.size);
     Renderer renderer(device, world, settings);
-    RunReport report = begin_report(device, world, settings);
+    RunReport report = begin_report(device, world, options, settings);
     report.load_ms = load_ms;
     ProgressBar progress(count);
     if (settings.counts) warm_up(renderer, times[0], progress, report);

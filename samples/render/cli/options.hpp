@@ -25,7 +25,7 @@ struct Options {
     std::optional<glm::uvec2> size;
     std::optional<uint32_t> bounces;
     std::optional<float> min_weight;
-    float tolerance = 0;  // see rsh_frame_desc
+    double tolerance = 0;  // see rsh_frame_desc; as it was written, for reports
     uint32_t engine = RSH_ENGINE_DEFAULT;
     uint32_t bound = RSH_SHAPE_DEFAULT;
     uint32_t strategy = RSH_STRATEGY_DEFAULT;

@@ -111,7 +111,7 @@ std::vector<StageTime> stage_times(const FrameMeasure& frame) {
     return times;
 }
 
-std::string approximation(float tolerance) {
+std::string approximation(double tolerance) {
     return tolerance > 0 ? fmt::format("approximate: tolerance {}", tolerance) : "";
 }
 

@@ -17,7 +17,7 @@ struct RunReport {
     uint64_t triangles = 0;
     glm::uvec2 size{0};
     uint32_t bounces = 0;
-    float tolerance = 0;   // above: the frames are approximate
+    double tolerance = 0;  // above: the frames are approximate
     double load_ms = 0.0;  // reading the scene
     double first_frame_ms =
         0.0;  // the unmeasured frame that compiles programs and grows scratch
@@ -37,7 +37,7 @@ struct StageTime {
 std::vector<StageTime> stage_times(const FrameMeasure& frame);
 
 // What is said of approximate frames; of exact ones, nothing.
-std::string approximation(float tolerance);
+std::string approximation(double tolerance);
 
 // Means over all frames.
 std::string table(const RunReport& report);

@@ -68,13 +68,13 @@ TEST_F(RshRender, IsContentWithAnyOneOutput) {
 }
 
 TEST_F(RshRender, NamesTheToleranceInEveryOutput) {
-    const Ended ended = run(scene() + "--tolerance 0.125 --stats --json " + path("a.json") +
+    const Ended ended = run(scene() + "--tolerance 0.01 --stats --json " + path("a.json") +
                             " --out " + path("a.png"));
     EXPECT_EQ(ended.status, 0) << ended.printed;
-    EXPECT_NE(ended.printed.find("approximate: tolerance 0.125\n"), std::string::npos)
+    EXPECT_NE(ended.printed.find("approximate: tolerance 0.01\n"), std::string::npos)
         << ended.printed;
-    EXPECT_NE(content(path("a.json")).find("\"tolerance\": 0.125"), std::string::npos);
-    EXPECT_EQ(description_of(path("a.png")), "approximate: tolerance 0.125");
+    EXPECT_NE(content(path("a.json")).find("\"tolerance\": 0.01,"), std::string::npos);
+    EXPECT_EQ(description_of(path("a.png")), "approximate: tolerance 0.01");
 }
 
 TEST_F(RshRender, SaysNothingOfAToleranceOfZero) {
