@@ -2,8 +2,8 @@
 # scenes.sh - the gate of real scenes: renders every scene of samples/scenes whose files are in the
 # folder that RSH_SCENES names, traces every ray again by brute force (rsh-render --check), and
 # lets the double-precision oracle judge primary and reflected rays (rsh_scene_oracle). Without SCENE, it
-# also compares the moving glTF models there with tests/scenes/gltf_check.py, for which it installs
-# pygltflib from PyPI into BUILD/gltf.
+# also compares the moving glTF models and BART's scenes there with evaluations in Python
+# (tests/scenes/*_check.py), for which it installs NumPy and pygltflib from PyPI into BUILD/gltf.
 #   scenes.sh [BUILD] [SCENE...]     default: build/release, all scenes
 # Without RSH_SCENES it says so and checks nothing, so it is not part of run.sh.
 set -euo pipefail
@@ -20,17 +20,25 @@ scenes=("$@")
 failed=0
 checks=0
 
-# gltf_check.py needs the programs of BUILD alone, no device.
-check_gltf() {
-    local python=$build/gltf/bin/python
+# The checks of motion need the programs of BUILD alone, no device.
+python=$build/gltf/bin/python
+install_python() {
     [ -x "$python" ] || python3 -m venv "$build/gltf"
-    "$python" -m pip install -q --disable-pip-version-check numpy pygltflib &&
-        "$python" -B tests/scenes/gltf_check.py "$build/tests/rsh_gltf_vertices" \
-            "$RSH_SCENES/fox/Fox.glb" "$RSH_SCENES/robot_expressive/RobotExpressive.glb"
+    "$python" -m pip install -q --disable-pip-version-check numpy pygltflib
+}
+check_gltf() {
+    "$python" -B tests/scenes/gltf_check.py "$build/tests/rsh_gltf_vertices" \
+        "$RSH_SCENES/fox/Fox.glb" "$RSH_SCENES/robot_expressive/RobotExpressive.glb"
+}
+check_aff() {
+    "$python" -B tests/scenes/aff_check.py "$build/tests/rsh_moments" \
+        "$RSH_SCENES/bart_museum/aff/museum5.aff" "$RSH_SCENES/bart_kitchen/aff/kitchen.aff"
 }
 if [ ${#scenes[@]} -eq 0 ]; then
-    checks=1
-    check_gltf || failed=1
+    checks=2
+    install_python || true  # without it, both fail
+    check_gltf || failed=$((failed + 1))
+    check_aff || failed=$((failed + 1))
 fi
 if [ ${#scenes[@]} -eq 0 ]; then scenes=(samples/scenes/*.json); fi
 
