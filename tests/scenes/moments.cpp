@@ -37,8 +37,11 @@ void write_moment(const render::World& world, Writer& out) {
         out.write(light.colour);
     }
     const render::Mesh& mesh = world.mesh();
-    out.write(mesh.triangles.size());
-    for (const glm::uvec3& triangle : mesh.triangles) {
+    std::vector<glm::uvec3> triangles(mesh.triangles.size());  // in the order of the files
+    for (size_t i = 0; i < triangles.size(); ++i)
+        triangles[world.triangle_number(i)] = mesh.triangles[i];
+    out.write(triangles.size());
+    for (const glm::uvec3& triangle : triangles) {
         for (int i = 0; i < 3; ++i) out.write(mesh.positions[triangle[i]]);
         for (int i = 0; i < 3; ++i)
             out.write(mesh.normals.empty() ? glm::vec3(0.0f) : mesh.normals[triangle[i]]);

@@ -76,7 +76,8 @@ size_t DeviceScene::update(const World& world) {
     for (const VertexRange& range : world.moved_normals())
         bytes += update(normals_, mesh.normals.data(), range.first, range.count);
     if (world.has_turned_triangles())
-        bytes += update(indices_, mesh.triangles.data(), 0, mesh.triangles.size());
+        bytes += update(indices_, mesh.triangles.data(), world.still_triangles(),
+                        mesh.triangles.size() - world.still_triangles());
     return bytes + update_lights(world.lights());
 }
 

@@ -14,8 +14,8 @@ public:
     DeviceScene(const rsh::Device& device, const World& world, rsh_features without,
                 uint32_t cut);
 
-    // Uploads the vertices and normals of World::moved(), lights if one has changed, and triangles
-    // that turned round. Allocates nothing. Returns the bytes.
+    // Uploads the vertices and normals of World::moved(), lights if one has changed, and the
+    // triangles that move if some of them turned round. Allocates nothing. Returns the bytes.
     size_t update(const World& world);
 
     const rsh_scene& scene() const { return scene_; }

@@ -72,7 +72,7 @@ LayerPixel pixel_of(const World& world, const rsh_ray& ray, const rsh_hit& hit) 
     pixel.depth = hit.t;
     pixel.normal = shading_normal(mesh, corners, geometric, weights);
     pixel.position = v0 + weights[1] * (v1 - v0) + weights[2] * (v2 - v0);
-    pixel.primitive = hit.primitive;
+    pixel.primitive = world.triangle_number(hit.primitive);
     pixel.material = mesh.material_ids[hit.primitive];
     return pixel;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "model/inspect.hpp"
@@ -25,6 +26,14 @@ void append_or_zero(std::vector<T>& all, const std::vector<T>& some, size_t befo
     all.resize(before, T(0.0f));
     all.insert(all.end(), some.begin(), some.end());
     all.resize(before + count, T(0.0f));
+}
+
+template <typename T>
+std::vector<T> picked(const std::vector<T>& all, const std::vector<uint32_t>& numbers) {
+    std::vector<T> some;
+    some.reserve(numbers.size());
+    for (const uint32_t number : numbers) some.push_back(all[number]);
+    return some;
 }
 
 }  // namespace
@@ -49,6 +58,7 @@ void World::load() {
     }
     if (mesh_.triangles.empty())
         throw std::runtime_error("the scene has no triangle; at least one is required");
+    put_still_triangles_first();
     choose_environment(scene_);
     choose_lights_and_camera(0.0);
 }
@@ -82,6 +92,33 @@ void World::append(const Model& model, const MeshEntry& entry) {
     warn(glass_warnings(model), entry);
 }
 
+std::vector<bool> World::moving_vertices() const {
+    std::vector<bool> moves(mesh_.positions.size());
+    for (size_t i = 0; i < parts_.size(); ++i)
+        for (const VertexRange& range : parts_[i].moving_vertices())
+            for (size_t v = 0; v < range.count; ++v)
+                moves[first_vertices_[i] + range.first + v] = true;
+    return moves;
+}
+
+// So that bounds of them can be kept.
+void World::put_still_triangles_first() {
+    const std::vector<bool> moves = moving_vertices();
+    const std::vector<glm::uvec3>& triangles = mesh_.triangles;
+    std::vector<uint32_t> numbers(triangles.size());
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    const auto stands_still = [&](uint32_t i) {
+        const glm::uvec3& t = triangles[i];
+        return !moves[t.x] && !moves[t.y] && !moves[t.z];
+    };
+    const auto middle = std::stable_partition(numbers.begin(), numbers.end(), stands_still);
+    still_triangles_ = static_cast<size_t>(middle - numbers.begin());
+    if (std::is_sorted(numbers.begin(), numbers.end())) return;
+    mesh_.triangles = picked(mesh_.triangles, numbers);
+    mesh_.material_ids = picked(mesh_.material_ids, numbers);
+    triangle_numbers_ = std::move(numbers);
+}
+
 // A texture that the scene file names must be readable; one that a mesh names may be missing.
 void World::append_materials(const Model& model, const MeshEntry& entry) {
     for (const Material& material : model.materials) {
@@ -113,11 +150,17 @@ void World::overwrite(size_t part) {
                     &mesh_.normals[first + range.first]);
         moved_normals_.push_back(moved_.back());
     }
-    if (!parts_[part].has_turned_triangles()) return;
+    if (parts_[part].has_turned_triangles()) overwrite_triangles(part);
+}
+
+void World::overwrite_triangles(size_t part) {
+    const std::vector<glm::uvec3>& triangles = models_[part]->mesh.triangles;
+    const glm::uvec3 offset(static_cast<uint32_t>(first_vertices_[part]));
     has_turned_triangles_ = true;
-    for (size_t i = 0; i < mesh.triangles.size(); ++i)
-        mesh_.triangles[first_triangles_[part] + i] =
-            mesh.triangles[i] + glm::uvec3(static_cast<uint32_t>(first));
+    for (size_t i = still_triangles_; i < mesh_.triangles.size(); ++i) {
+        const size_t number = triangle_number(i) - first_triangles_[part];  // wraps before it
+        if (number < triangles.size()) mesh_.triangles[i] = triangles[number] + offset;
+    }
 }
 
 void World::move_to(double time) {

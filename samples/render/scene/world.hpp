@@ -22,10 +22,16 @@ public:
     void move_to(double time);
     const std::vector<VertexRange>& moved() const { return moved_; }
     const std::vector<VertexRange>& moved_normals() const { return moved_normals_; }
-    // Whether mesh().triangles changed with it; their number and order never do.
+    // Whether triangles of those that move changed with it; their number and order never do.
     bool has_turned_triangles() const { return has_turned_triangles_; }
 
-    const Mesh& mesh() const { return mesh_; }  // normals: none at all, or one per vertex
+    // Normals: none at all, or one per vertex. Triangles: those that stand still come first.
+    const Mesh& mesh() const { return mesh_; }
+    size_t still_triangles() const { return still_triangles_; }
+    // Which triangle of all meshes, in their order, one of mesh() is.
+    uint32_t triangle_number(size_t i) const {
+        return triangle_numbers_.empty() ? static_cast<uint32_t>(i) : triangle_numbers_[i];
+    }
     const std::vector<rsh_material>& materials() const { return materials_; }
     const std::vector<Light>& lights() const { return lights_; }
     const Camera& camera() const { return camera_; }
@@ -45,7 +51,10 @@ private:
     void warn(const std::vector<std::string>& warnings, const MeshEntry& entry);
     void append(const Model& model, const MeshEntry& entry);
     void append_materials(const Model& model, const MeshEntry& entry);
+    std::vector<bool> moving_vertices() const;
+    void put_still_triangles_first();
     void overwrite(size_t part);
+    void overwrite_triangles(size_t part);
     void choose_environment(const SceneDescription& scene);
     void choose_lights_and_camera(double time);
     void place_lights(double time);  // those of the scene file
@@ -55,6 +64,8 @@ private:
     std::vector<const Model*> models_;  // of the parts, as they are now
     std::vector<size_t> first_vertices_, first_triangles_;
     Mesh mesh_;
+    size_t still_triangles_ = 0;
+    std::vector<uint32_t> triangle_numbers_;  // empty: each is its own
     std::vector<rsh_material> materials_;
     std::vector<Light> lights_;
     Camera camera_;
