@@ -82,6 +82,7 @@ nlohmann::json frame_json(const FrameMeasure& frame) {
             {"upload_bytes", frame.upload_bytes},
             {"total_ms", frame.total_ms},
             {"read_ms", frame.read_ms},
+            {"resident_bytes", frame.resident_bytes},
             {"stages_ms", stages_json(frame)},
             {"launches", s.launches},
             {"host_waits", s.host_waits},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "device/resident_memory.hpp"
 #include "scene/device_structs.hpp"
 
 namespace render {
@@ -96,6 +97,7 @@ FrameMeasure Renderer::render(double time, rsh_progress progress, void* user,
     if (settings_.counts)
         rsh::check(rsh_get_statistics(device_.rsh(), &measure.statistics),
                    "rsh_get_statistics");
+    measure.resident_bytes = resident_bytes();
     return measure;
 }
 

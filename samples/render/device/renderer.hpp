@@ -33,6 +33,7 @@ struct FrameMeasure {
     double total_ms =
         0.0;  // host time: from the call of rsh_frame to the end of its last command
     double read_ms = 0.0;         // host time: reading the picture
+    size_t resident_bytes = 0;    // of the process, when the frame is done
     rsh_statistics statistics{};  // of rsh_frame; zero unless RenderSettings::counts
 };
 
