@@ -105,6 +105,19 @@ TEST_F(RealScenes, BartKitchen) {
     expect_bart(path("bart_kitchen/aff/kitchen.aff"), 110561, 800);
 }
 
+// Textures that were left out, and two wheels with keys at equal times. Each warning names its line.
+TEST_F(RealScenes, BartLoadsWithAWarningForEachSlip) {
+    const auto count = [&](const std::string& file) {
+        const std::vector<std::string> warnings = load_aff(path(file))->at(0.0).warnings;
+        for (const std::string& warning : warnings)
+            EXPECT_NE(warning.find(".aff, line "), std::string::npos) << warning;
+        return warnings.size();
+    };
+    EXPECT_EQ(count("bart_kitchen/aff/kitchen.aff"), 8u + 2u);
+    EXPECT_EQ(count("bart_museum/aff/museum5.aff"), 5u);
+    EXPECT_EQ(count("bart_museum/aff/museum7.aff"), 5u + 1u) << "its triangles are not there";
+}
+
 // Distance of a point from the surface of the tetrahedron through (+-.5, +-.5, +-.5) + c, along
 // the faces' normals (1, 1, 1) and so on.
 float tetrahedron_error(glm::vec3 p) {
