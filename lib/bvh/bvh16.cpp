@@ -71,12 +71,15 @@ public:
                          desc_.bounds, scratch_["child boxes"], scratch_["tree"]);
     }
 
-    // bvh/refit.cl: where the order was kept.
+    // bvh/refit.cl: where the order was kept. Bounds that are made to be kept will need it.
     void refit() const {
+        constexpr const char *kParts = "rsh_refit", *kAbove = "rsh_refit_upper_nodes";
+        if (desc_.mode == RSH_BOUND_QUALITY)
+            for (const char* kernel : {kParts, kAbove}) recorder_.expect(tiles_kernel(kernel));
         if (!is_refit_) return;
-        launch("rsh_refit", parts(), layout_, scratch_["sorting"], desc_.bounds,
+        launch(kParts, parts(), layout_, scratch_["sorting"], desc_.bounds,
                scratch_["child boxes"]);
-        launch_above("rsh_refit_upper_nodes", {1, 1}, scratch_["sorting"], desc_.bounds,
+        launch_above(kAbove, {1, 1}, scratch_["sorting"], desc_.bounds,
                      scratch_["child boxes"]);
     }
 

@@ -45,6 +45,11 @@ Recorder::~Recorder() {
     context_.under_way.keep(std::move(call_));
 }
 
+void Recorder::expect(const KernelName& name) {
+    if (needed_) return needed_->add(name);
+    context_.programs.borrow(context_.for_call(name));
+}
+
 cl_event Recorder::last_command() const {
     return commands().empty() ? nullptr : commands().back().get();
 }

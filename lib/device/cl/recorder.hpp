@@ -57,6 +57,9 @@ public:
         if (taken.is_variant != name.is_variant) count_general_launch();
     }
 
+    // Has a kernel there that later calls launch, so that these make nothing.
+    void expect(const KernelName& name);
+
     // One work-item per element, in groups of the device's usual size.
     Range range(size_t items) const { return {items, context_.caps.group_size, true}; }
 

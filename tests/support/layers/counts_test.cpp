@@ -1,55 +1,15 @@
 // counts_test.cpp - what rsh asks OpenCL for, as the layer of counts.cpp counts it from outside.
 // Fails without the layer.
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "api/valid_calls.hpp"
-#include "support/layers/counts.hpp"
+#include "support/layers/counted.hpp"
 
 namespace {
 
 using test::device;
-
-template <class Function>
-Function of_layer(const char* name) {
-    void* const library = dlopen(RSH_COUNTS_LAYER, RTLD_NOW | RTLD_NOLOAD);
-    void* const found = library ? dlsym(library, name) : nullptr;
-    if (!found)
-        throw std::runtime_error("the loader has not taken OPENCL_LAYERS " RSH_COUNTS_LAYER);
-    Function function = nullptr;
-    std::memcpy(&function, &found, sizeof function);
-    return function;
-}
-
-rsh_counts counts_now() {
-    rsh_counts counts = {};
-    of_layer<rsh_read_counts_function>("rsh_read_counts")(&counts);
-    return counts;
-}
-
-// Counted since it was made. What is alive may be less than then: the difference wraps.
-class Since {
-public:
-    rsh_counts now() const {
-        rsh_counts counts = counts_now();
-#define RSH_SUBTRACT(name) counts.name -= begin_.name;
-        RSH_COUNTS(RSH_SUBTRACT)
-#undef RSH_SUBTRACT
-        return counts;
-    }
-
-private:
-    rsh_counts begin_ = counts_now();
-};
-
-void expect_nothing_made(const rsh_counts& counts) {
-    EXPECT_EQ(counts.buffers, 0u);
-    EXPECT_EQ(counts.compiles, 0u);
-    EXPECT_EQ(counts.binary_builds, 0u);
-    EXPECT_EQ(counts.kernels, 0u);
-}
+using test::expect_nothing_made;
+using test::Since;
 
 void expect_nothing_kept(const rsh_counts& counts) {
     EXPECT_EQ(counts.bytes_alive, 0u);
@@ -148,8 +108,7 @@ TEST_P(Counts, MakeNothingWhileBoundsAreRefitted) {
     gallery.desc.mode = RSH_BOUND_QUALITY;
     gallery.render();
     gallery.desc.mode = RSH_BOUND_REFIT;
-    gallery.render();
-    for (const float height : {0.1f, 0.2f}) {
+    for (const float height : {0.0f, 0.1f, 0.2f}) {
         test::Scene moved = gallery.host;
         for (auto& position : moved.mesh.vertices) position.y += height;
         const test::DeviceScene scene(moved);
@@ -226,15 +185,15 @@ TEST(Counts, TellBuildsOfBinariesFromThoseOfSources) {
 
 TEST(Counts, LetThePeakBeginAnew) {
     const cl::Context& context = device().context;
-    const auto restart_peak = of_layer<rsh_restart_peak_function>("rsh_restart_peak");
+    const auto restart_peak = test::of_layer<rsh_restart_peak_function>("rsh_restart_peak");
     { const cl::Buffer high(context, CL_MEM_READ_WRITE, 8192); }
     const cl::Buffer stays(context, CL_MEM_READ_WRITE, 512);
     restart_peak();
-    const size_t alive = counts_now().bytes_alive;
-    EXPECT_EQ(counts_now().bytes_peak, alive);
+    const size_t alive = test::counts_now().bytes_alive;
+    EXPECT_EQ(test::counts_now().bytes_peak, alive);
     { const cl::Buffer low(context, CL_MEM_READ_WRITE, 1024); }
-    EXPECT_EQ(counts_now().bytes_alive, alive);
-    EXPECT_EQ(counts_now().bytes_peak, alive + 1024);
+    EXPECT_EQ(test::counts_now().bytes_alive, alive);
+    EXPECT_EQ(test::counts_now().bytes_peak, alive + 1024);
 }
 
 TEST(Counts, HoldABufferWhileASubBufferOfItIsAlive) {
