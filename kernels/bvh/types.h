@@ -35,17 +35,16 @@ RSH_ASSERT_SIZE(bvh_node, 448);
  * the first one on, and of those that move, all others. Either may have none. */
 enum bvh_tree { RSH_STILL_TREE, RSH_MOVING_TREE, RSH_TREES };
 
-/* Both trees together. */
+/* Both trees together. Where both have triangles, the last node is above them. */
 typedef struct bvh_whole {
     rsh_uint triangles, still_triangles;
-    rsh_uint leaves,
-        nodes; /* room for them; where both trees are, the last node is above both */
+    rsh_uint leaves, nodes; /* room for them */
 } bvh_whole;
 RSH_ASSERT_SIZE(bvh_whole, 16);
 
 /* Where things lie in one of the trees. The triangles, in their order along the curve, are cut
  * into parts, a work-item each. A part has room for as many leaves as it may need, and for the
- * nodes above them. */
+ * nodes above them. Leaves and nodes are numbered through both trees. */
 typedef struct bvh_layout {
     bvh_whole whole;
     rsh_uint tree;      /* RSH_..._TREE */
@@ -55,10 +54,8 @@ typedef struct bvh_layout {
     rsh_uint part_leaves; /* room for leaves in a part */
     rsh_uint part_nodes;  /* room for nodes in a part */
     rsh_uint upper_nodes; /* room for nodes above leaves of several parts */
-    rsh_uint first_leaf,
-        first_node; /* numbers: leaves and nodes are numbered through both trees */
-    rsh_uint
-        words_before; /* of the other tree, among what lies behind the leaves and the nodes */
+    rsh_uint first_leaf, first_node;
+    rsh_uint words_before; /* of the other tree, behind all leaves and nodes */
 } bvh_layout;
 RSH_ASSERT_SIZE(bvh_layout, 56);
 
@@ -122,10 +119,9 @@ RSH_ASSERT_SIZE(node_range, 8);
 
 /* What the buffer holds, said at its start: all else lies where the layout puts it. */
 typedef struct bvh_head {
-    rsh_uint
-        made[RSH_TREES]; /* RSH_BVH_MADE: all of the tree is there; any other word: nothing */
-    rsh_uint joined;     /* the same of the node above both trees */
-    bvh_whole whole;     /* what both trees were made of */
+    rsh_uint made[RSH_TREES]; /* RSH_BVH_MADE: the tree is there; any other word: it is not */
+    rsh_uint joined;          /* the same of the node above both trees */
+    bvh_whole whole;          /* what both trees were made of */
     node_range nodes[RSH_TREES]; /* above leaves of several parts */
     rsh_uint unused[5];          /* leaves begin at a cache line */
 } bvh_head;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "support/compare.hpp"
+#include "support/kept_frames.hpp"
 #include "support/ways.hpp"
 
 namespace {
@@ -124,6 +125,39 @@ TEST(Still, LeavesTheAnswersOfBruteForce) {
                 expect_answers(frames, rays, way, expected);
             }
         }
+}
+
+// Mirrors, so that rays are traced.
+test::Scene mirrors(const Mesh& mesh) {
+    test::Scene scene = test::plain();
+    scene.materials[0].reflection = {{0.5f, 0.5f, 0.5f, 0}};
+    scene.lights[0].casts_shadow = 1;
+    scene.mesh = mesh;
+    scene.material_ids.assign(mesh.triangle_count(), 0);
+    return scene;
+}
+
+TEST(Still, LeavesThePixelsOfBruteForce) {
+    const Split split = test::small() ? Split{33, 17} : Split{600, 400};
+    Random random(85);
+    const std::vector<Mesh> frames =
+        frames_of(scene_of(split, false, random), split.still, random);
+    test::FrameOptions options;
+    options.width = options.height = test::small() ? 12 : 40;
+    options.bounces = 1;
+    for (const test::TraceOptions& way : test::all_ways()) {
+        SCOPED_TRACE(name_of(way));
+        test::DeviceScene largest(mirrors(frames[0]));
+        largest.desc.geometry.still_triangles = split.still;
+        test::KeptFrames kept(way.engine, largest.desc.geometry);
+        for (const Mesh& frame : frames) {
+            test::DeviceScene scene(mirrors(frame));
+            options.engine = RSH_ENGINE_BRUTE_FORCE;
+            const auto expected = test::frame(scene, options);
+            scene.desc.geometry.still_triangles = split.still;
+            EXPECT_TRUE(test::same_bits(kept.render(scene, options), expected, "pixels"));
+        }
+    }
 }
 
 // Bounds in one buffer, made and refitted as a test asks for.
