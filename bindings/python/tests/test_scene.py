@@ -130,6 +130,22 @@ def test_vertices_move(mesh, rays):
         scene.update(mesh.vertices[1:])
 
 
+def test_faces_that_stand_still_are_left_alone(mesh, rays):
+    still = len(mesh.faces) // 2
+    moves = np.setdiff1d(np.arange(len(mesh.vertices)), mesh.faces[:still])
+    assert len(moves) > 10
+    scene = rsh.Scene(mesh.vertices, mesh.faces, still_faces=still)
+    moved = np.array(mesh.vertices)
+    for _ in range(3):
+        scene.closest(rays)
+        moved[moves] += np.float32(0.1)
+        scene.update(moved)
+        assert scene.closest(rays).tobytes() == rsh.Scene(moved, mesh.faces).closest(rays).tobytes()
+    for wrong in (-1, len(mesh.faces) + 1):
+        with pytest.raises(ValueError, match=f"still_faces is {wrong}, must be 0 .. {len(mesh.faces)}"):
+            rsh.Scene(mesh.vertices, mesh.faces, still_faces=wrong)
+
+
 def test_a_box_contains_what_is_inside(queue):
     points = np.random.default_rng(1).uniform(-0.5, 1.5, (2000, 3))
     inside = np.all((points > 0) & (points < 1), axis=1)

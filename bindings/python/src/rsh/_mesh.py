@@ -45,6 +45,13 @@ class Mesh:
             self.geometry.indices, self.geometry.indices_offset = place_of(self._faces)
         self.geometry.triangle_count = count
 
+    def set_still(self, faces: int) -> None:
+        """Take how many faces, the first ones, stand still."""
+        count = self.geometry.triangle_count
+        if not 0 <= faces <= count:
+            raise ValueError(f"still_faces is {faces}, must be 0 .. {count}, the number of faces")
+        self.geometry.still_triangles = faces
+
     def set_vertices(self, vertices: Floats) -> None:
         """Take vertices, of arrays on the device without a copy."""
         taken = self._taken("vertices", vertices, [np.float32], (3, 4))

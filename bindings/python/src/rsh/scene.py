@@ -41,11 +41,14 @@ class Scene:
         `rsh.ENGINE_TILES` and the like.
     ranges : ndarray of numpy.dtype(rsh.structs.MeshRange), optional
         Which triangles are which mesh.
+    still_faces : int, optional
+        So many faces, the first ones, never move: `update` costs what the others cost, but for the copy of
+        the vertices.
 
     Raises
     ------
     TypeError, ValueError
-        An array is not of these shapes and types.
+        An array is not of these shapes and types; there are fewer faces than that.
     NoDeviceError
         There is no OpenCL device.
     """
@@ -59,6 +62,7 @@ class Scene:
         context: Context | None = None,
         engine: int = ENGINE_DEFAULT,
         ranges: NDArray[Any] | None = None,
+        still_faces: int = 0,
     ) -> None:
         if queue is None and is_on_device(vertices):
             queue = queue_of(vertices)
@@ -70,6 +74,7 @@ class Scene:
         self._mesh = Mesh(self.context, queue, engine)
         self._mesh.set_vertices(vertices)
         self._mesh.set_faces(faces)
+        self._mesh.set_still(still_faces)
         if ranges is not None:
             self._mesh.set_ranges(ranges)
         self._tracer = Tracer(self.context, queue, self._mesh, engine)
@@ -80,7 +85,7 @@ class Scene:
         Parameters
         ----------
         vertices : array_like or pyopencl.array.Array, (n, 3)
-            As many as before.
+            As many as before, those of still faces where they were.
         """
         self._mesh.set_vertices(vertices)
 
