@@ -7,6 +7,7 @@
 #include "frame_memory/memory_suite.hpp"
 #include "hits/hits_suite.hpp"
 #include "mirrors/mirrors_suite.hpp"
+#include "moving/moving_suite.hpp"
 #include "paper/paper_suite.hpp"
 #include "parity/parity_suite.hpp"
 #include "programs/programs_suite.hpp"
@@ -26,6 +27,7 @@ const std::vector<Suite*>& suites() {
     static HitsSuite hits;
     static MemorySuite memory;
     static MirrorsSuite mirrors;
+    static MovingSuite moving;
     static PaperSuite paper;
     static ParitySuite parity;
     static ProgramsSuite programs;
@@ -33,8 +35,8 @@ const std::vector<Suite*>& suites() {
     static ReduceSuite reduce;
     static StabilitySuite stability;
     static const std::vector<Suite*> all = {
-        &ablation, &accuracy, &approximate, &budgets, &frame,  &hits,   &memory,
-        &mirrors,  &paper,    &parity,      &programs, &queries, &reduce, &stability};
+        &ablation, &accuracy, &approximate, &budgets,  &frame,   &hits,   &memory,   &mirrors,
+        &moving,   &paper,    &parity,      &programs, &queries, &reduce, &stability};
     return all;
 }
 

@@ -1,7 +1,9 @@
 // frame_scene.cpp - a still scene, and how its vertices sway.
 #include "frame/frame_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bench {
 namespace {
@@ -27,6 +29,13 @@ FrameScene::FrameScene(const SceneSpec& spec)
       is_glass_(spec.reflector == Reflector::kGlass) {
     still_.mesh.texcoords.clear();
     make_motion(spec.is_rigid);
+}
+
+FrameScene::FrameScene(StillScene scene, size_t still_vertices)
+    : still_(std::move(scene)), is_glass_(false) {
+    still_.mesh.texcoords.clear();
+    make_motion(false);
+    std::fill_n(sway_.begin(), still_vertices, glm::vec3(0.0f));
 }
 
 // The sway is a function of the place alone and 0.3 % of the scene's diagonal at most, so that

@@ -15,6 +15,8 @@ class FrameScene {
 public:
     // Reads files; throws std::runtime_error when one is missing.
     explicit FrameScene(const SceneSpec& spec);
+    // Of which the first vertices stay where they are.
+    FrameScene(StillScene scene, size_t still_vertices);
 
     const render::Mesh& mesh() const { return still_.mesh; }  // at rest
     const std::vector<rsh_material>& materials() const { return still_.materials; }

@@ -136,6 +136,16 @@ FrameTimes RshTracer::trace(const cl::Buffer& rays) {
     return times;
 }
 
+double RshTracer::bound() {
+    const double ms = milliseconds([&] {
+        rsh::check(rsh_bound(device_.rsh(), device_.queue()(), &bound_, 0, nullptr, nullptr),
+                   "rsh_bound");
+        device_.queue().finish();
+    });
+    if (is_refit_) bound_.mode = RSH_BOUND_REFIT;
+    return ms;
+}
+
 void RshTracer::build(const cl::Buffer& rays) {
     build_.rays = rays();
     rsh::check(rsh_build(device_.rsh(), device_.queue()(), &build_, 0, nullptr, nullptr),

@@ -57,6 +57,7 @@ public:
     void spoil_answers();  // none of an earlier frame is left
 
     FrameTimes trace(const cl::Buffer& rays);  // BLOCKS
+    double bound();                            // the scene's side alone; ms; BLOCKS
     void build(const cl::Buffer& rays);        // the hierarchy alone; BLOCKS
     size_t mismatches() const;  // of the last frame, in a sample of its active rays; BLOCKS
     FrameWork count(const cl::Buffer& rays, size_t active_rays);

@@ -9,6 +9,7 @@ import budgets.report
 import frame_memory.report
 import hits.report
 import mirrors.report
+import moving.report
 import paper.plots
 import paper.report
 import reduce.report
@@ -41,6 +42,7 @@ SUITES = {
     "hits": Suite(hits.report.table, plots={"hits.svg": hits.report.plot}),
     "memory": Suite(frame_memory.report.table),
     "mirrors": Suite(mirrors.report.table, plots={"mirrors.png": mirrors.report.plot}),
+    "moving": Suite(moving.report.table),
     "paper": Suite(paper.report.table, more=paper.report.SECTIONS, plots=paper.plots.PLOTS),
     "parity": Suite(),
     "programs": Suite(),
