@@ -28,6 +28,7 @@ void DeviceScene::fill_geometry(const World& world) {
     scene_.geometry.vertex_count = static_cast<cl_uint>(mesh.positions.size());
     scene_.geometry.indices = indices_.get();
     scene_.geometry.triangle_count = static_cast<cl_uint>(mesh.triangles.size());
+    scene_.geometry.still_triangles = static_cast<cl_uint>(world.still_triangles());
     scene_.normals = normals_.get();
     scene_.texcoords = texcoords_.get();
     scene_.material_ids = material_ids_.get();

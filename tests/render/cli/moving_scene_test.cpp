@@ -62,6 +62,23 @@ TEST_F(RenderMovingScene, UploadsLightsThatChange) {
                                    kTriangleBytes + 2 * kLightBytes, kTriangleBytes}));
 }
 
+// Of the frames that count, the bounds of the still scene were made before.
+TEST_F(RenderMovingScene, KeepsTheBoundsOfWhatStandsStill) {
+    const auto bounds_ms = [&](const std::string& scene) {
+        const Ended ended = run(scene + " --frames 3 --json " + path("a.json"));
+        EXPECT_EQ(ended.status, 0) << ended.printed;
+        const auto report = nlohmann::json::parse(content(path("a.json")));
+        std::vector<double> ms;
+        for (const auto& frame : report.at("frames"))
+            ms.push_back(frame.at("stages_ms").at("bound"));
+        return ms;
+    };
+    const std::string still = folder_.write(
+        "still.json", R"({"meshes": [{"generator": "room", "triangles": 1500}]})");
+    EXPECT_EQ(bounds_ms(still + " --size 32x32"), (std::vector<double>{0, 0, 0}));
+    for (const double ms : bounds_ms(scene(""))) EXPECT_GT(ms, 0.0);
+}
+
 TEST_F(RenderMovingScene, SaysThatATimeIsOutsideOfTheClip) {
     const auto printed = [&](const std::string& members, const std::string& time) {
         const Ended ended = run(scene(members) + " --out " + path("a.png") + " --time " + time);
