@@ -22,6 +22,22 @@ TEST(PaperBars, ATenthOfThePapersTimeAndAThirdOfTheFrame) {
     EXPECT_FALSE(poor[1].holds);
 }
 
+TEST(PaperBars, LittleMemoryForTheSceneThatNoneHolds) {
+    const auto made = [](double frame_ms, double process_bytes, double bytes) {
+        return Case{"out_of_core",
+                    {{"row", "out_of_core"}, {"engine", "tiles"}, {"budget", 1000}},
+                    {{"ms", 1},
+                     {"frame_ms", frame_ms},
+                     {"process_bytes", process_bytes},
+                     {"bytes_peak", bytes}},
+                    true};
+    };
+    for (const Bar& bar : bars(made(10000, 1e9, 1000))) EXPECT_TRUE(bar.holds) << bar.what;
+    EXPECT_FALSE(bars(made(10001, 1e9, 1000))[0].holds);
+    EXPECT_FALSE(bars(made(10000, 1.1e9, 1000))[1].holds);
+    EXPECT_FALSE(bars(made(10000, 1e9, 1001))[2].holds);
+}
+
 TEST(PaperBars, AThirtiethWhereThePaperIsSlowest) {
     EXPECT_TRUE(bars(of_row("museum8", 111, 1, 3330))[0].holds);
     EXPECT_FALSE(bars(of_row("museum8", 112, 1, 3330))[0].holds);

@@ -153,6 +153,29 @@ def frames(results):
     return wrapped(lines)
 
 
+def batches(results):
+    lines = []
+    series_of_batches = series(results, "batches", "batches", "tiles")
+    if series_of_batches:
+        times = ", ".join(f"{count:.0f}: {ms:.1f}" for count, ms in series_of_batches)
+        slope = number(summary(results, "tiles").get("ms_per_batch"))
+        lines.append(f"- One scene in so many batches, milliseconds: {times}. A further batch: {slope}; the "
+                     "paper's: 30.")
+    for case in by_row(results).get("large_batches", []):
+        if "ms" in case["metrics"]:
+            lines.append(f"- {case['params']['triangles'] / 1e6:.1f} million triangles in "
+                         f"{case['params']['batches']} batches: {case['metrics']['ms']:.0f} ms, the frame "
+                         f"{case['metrics']['frame_ms']:.0f}; the paper's: 18500.")
+    for case in by_row(results).get("out_of_core", []):
+        if "frame_ms" in case["metrics"]:
+            metrics, mib = case["metrics"], 1 << 20
+            lines.append(f"- {case['params']['triangles'] / 1e6:.1f} million triangles, one reflection and a "
+                         f"shadow, within {case['params']['budget'] / mib:.0f} MiB of the device's memory: "
+                         f"{metrics['frame_ms'] / 1000:.1f} s a frame, the process {metrics['process_bytes'] / mib:.0f} "
+                         "MiB.")
+    return wrapped(lines)
+
+
 SECTIONS = {"paper-triangles": triangles, "paper-pixels": pixels, "paper-build": build, "paper-tests": tests,
             "paper-spheres": spheres, "paper-top-levels": top_levels, "paper-occlusion": occlusion,
-            "paper-reduction": reduction, "paper-since": since, "paper-frames": frames}
+            "paper-reduction": reduction, "paper-since": since, "paper-frames": frames, "paper-batches": batches}

@@ -22,12 +22,20 @@ Frame::Frame(const Device& device, const FrameSettings& settings) : device_(devi
     desc_.bounces = settings.bounces;
     desc_.engine = settings.engine;
     desc_.strategy = settings.strategy;
+    desc_.budget = settings.budget;
 }
 
 void Frame::place(const rsh_scene& scene, const rsh_camera& camera) {
     scene_ = scene;
     desc_.scene = &scene_;
     desc_.camera = camera;
+}
+
+void Frame::take_batches(const rsh_batch_source& source) {
+    scene_.geometry = {};
+    scene_.normals = scene_.texcoords = scene_.material_ids = nullptr;
+    if (!(source.attributes & RSH_BATCH_NORMALS)) scene_.features &= ~RSH_FEATURE_SMOOTH_NORMAL;
+    desc_.batches = &source;
 }
 
 std::vector<NamedBytes> Frame::needs() {
@@ -67,6 +75,13 @@ FrameWork Frame::count() {
     for (size_t i = 0; i < work.stage_ms.size(); ++i)
         work.stage_ms[i] = 1e-6 * double(work.statistics.stage_ns[i]);
     return work;
+}
+
+std::vector<cl_float4> Frame::pixels() const {
+    std::vector<cl_float4> found(size_t{desc_.width} * desc_.height);
+    device_.queue().enqueueReadBuffer(colour_, CL_TRUE, 0, found.size() * sizeof(cl_float4),
+                                      found.data());
+    return found;
 }
 
 rsh_audit_report Frame::audit(double tests_per_wave) {

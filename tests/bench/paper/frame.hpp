@@ -14,6 +14,7 @@ struct FrameSettings {
     cl_uint bounces = 1;
     cl_uint engine = RSH_ENGINE_DEFAULT;
     cl_uint strategy = RSH_STRATEGY_DEFAULT;  // of the engine paper_faithful
+    size_t budget = 0;
 };
 
 struct FrameWork {
@@ -33,11 +34,14 @@ public:
 
     // Buffers of `scene` must live until the next one. As many triangles as that of allocate().
     void place(const rsh_scene& scene, const rsh_camera& camera);
+    // After place(): the triangles come from there instead. The source must live as long.
+    void take_batches(const rsh_batch_source& source);
     std::vector<NamedBytes> needs();  // after place()
     void allocate();
 
-    double render();    // milliseconds by the host's clock; BLOCKS
-    FrameWork count();  // one more, with statistics; BLOCKS
+    double render();                        // milliseconds by the host's clock; BLOCKS
+    FrameWork count();                      // one more, with statistics; BLOCKS
+    std::vector<cl_float4> pixels() const;  // of the last one
     // One more, of which a sample of rays of each wave is traced by brute force; BLOCKS.
     rsh_audit_report audit(double tests_per_wave);
     size_t scratch_bytes() const { return scratch_bytes_; }

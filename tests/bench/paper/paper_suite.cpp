@@ -5,6 +5,7 @@
 
 #include <regex>
 
+#include "paper/batches/batches_rows.hpp"
 #include "paper/build_row.hpp"
 #include "paper/cones/sphere_row.hpp"
 #include "paper/measure.hpp"
@@ -31,6 +32,7 @@ struct Selection {
     std::vector<Selected> rows;
     std::vector<std::string> builds;   // engines of the row `build`
     std::vector<std::string> spheres;  // cases of the row `sphere_for_triangle`
+    std::vector<std::string> batches;  // cases of the rows of scenes in batches
 };
 
 // Names of cases that are asked for.
@@ -60,6 +62,8 @@ Selection select(bool quick, const std::string& expression) {
     selection.builds = filter.engines(build_case_name);
     for (const std::string& name : sphere_case_names())
         if (!quick && filter.has(name)) selection.spheres.push_back(name);
+    for (const std::string& name : batches_case_names(quick))
+        if (filter.has(name)) selection.batches.push_back(name);
     for (const Row& row : rows()) {
         if (quick && !row.is_quick) continue;
         Selected one = {row, {}};
@@ -75,6 +79,7 @@ void list(const Selection& selection) {
     for (const std::string& engine : selection.builds)
         fmt::print("{}\n", build_case_name(engine));
     for (const std::string& name : selection.spheres) fmt::print("{}\n", name);
+    for (const std::string& name : selection.batches) fmt::print("{}\n", name);
     for (const Selected& one : selection.rows)
         for (const std::string& engine : one.engines)
             fmt::print("{}\n", case_name(one.row, engine));
@@ -102,14 +107,18 @@ void PaperSuite::add_options(CLI::App& app) {
 void PaperSuite::run(const Run& run) {
     const Selection selection = select(run.quick, filter_);
     if (lists_) return list(selection);
-    ProgressBar progress(selection.rows.size() + 1);
+    const Amount& amount = run.quick ? kQuick : kUsual;
+    ProgressBar progress(selection.rows.size() + 2);
+    progress.begin("batches");
+    measure_out_of_core(run, selection.batches, amount);
+    measure_batches(run, selection.batches, amount);
     progress.begin(kBuildRow);
     measure_builds(run, selection.builds, run.quick ? kQuickPairs : kUsualPairs);
     measure_spheres(run, selection.spheres);
     Estimate estimate;
     for (const Selected& one : selection.rows) {
         progress.begin(one.row.name);
-        measure(run, estimate, one, run.quick ? kQuick : kUsual);
+        measure(run, estimate, one, amount);
     }
     for (const Case& summary : summarize(run.results.cases())) {
         fmt::print("{}", as_text_of_summary(summary));
