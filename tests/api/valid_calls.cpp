@@ -58,6 +58,28 @@ rsh_trace_desc ValidCalls::trace() const {
     return desc;
 }
 
+rsh_trace_desc ValidCalls::trace_batches() const {
+    rsh_trace_desc desc = trace();
+    desc.geometry = {};
+    desc.engine = RSH_ENGINE_TILES;
+    desc.batches = source.get();
+    return desc;
+}
+
+rsh_frame_desc ValidCalls::frame_batches() const {
+    rsh_frame_desc desc = frame();
+    desc.scene = &batched;
+    desc.bounces = 1;
+    desc.batches = source.get();
+    return desc;
+}
+
+rsh_scene ValidCalls::scene_of_batches() const {
+    rsh_scene desc = scene.desc;
+    leave_to_batches(desc);
+    return desc;
+}
+
 rsh_audit_desc ValidCalls::audit() const {
     auto desc = empty<rsh_audit_desc>();
     desc.geometry = scene.desc.geometry;

@@ -3,6 +3,7 @@
 // shows.
 #pragma once
 
+#include "batches/scene_source.hpp"
 #include "rays/types.h"
 #include "support/render.hpp"
 #include "support/trace.hpp"
@@ -15,6 +16,8 @@ constexpr uint32_t kRays = kSide * kSide;
 struct ValidCalls {
     Scene host = gallery();
     DeviceScene scene{host};
+    SceneSource source{host, host.mesh.triangle_count() / 2 + 1, false};  // in two batches
+    rsh_scene batched = scene_of_batches();
     Rays ray_list = pinhole_rays(kSide, kSide);
     Buffer<rsh_ray> rays{ray_list.rays};
     Buffer<rsh_ray> out_rays{kRays};
@@ -49,10 +52,16 @@ struct ValidCalls {
     rsh_find_surfaces_desc find_surfaces() const;
     rsh_shade_desc shade() const;
     rsh_frame_desc frame() const;
+    // Of a scene in batches.
+    rsh_trace_desc trace_batches() const;
+    rsh_frame_desc frame_batches() const;
     rsh_reduce_desc reduce() const;
 
     // No output buffer was written.
     ::testing::AssertionResult outputs_untouched() const;
+
+private:
+    rsh_scene scene_of_batches() const;
 };
 
 }  // namespace test

@@ -33,7 +33,7 @@ protected:
         options_.width = test::small() ? 9 : 61;
         options_.height = test::small() ? 70 : 133;
         options_.bounces = 2;
-        leave_to_batches(batched_);
+        test::leave_to_batches(batched_.desc);
     }
 
     std::vector<cl_float4> in_batches(const SceneSource& source, FrameOptions options) {
@@ -173,25 +173,9 @@ TEST_F(FrameBatches, AreRefusedWhereTheSceneHasMore) {
 
 // A scene that fits is asked for once.
 TEST_F(FrameBatches, AreNotAskedForTwiceIfOneIsAll) {
-    test::Scene one = scene_;
-    const SceneSource source(one, 1u << 20, 0);
-    uint32_t asked = 0;
-    rsh_batch_source counting = *source.get();
-    struct Both {
-        const rsh_batch_source* source;
-        uint32_t* asked;
-    } both = {source.get(), &asked};
-    counting.user = &both;
-    counting.fill = [](rsh_batch* batch, void* user) {
-        const Both& own = *static_cast<const Both*>(user);
-        ++*own.asked;
-        do own.source->fill(batch, own.source->user);
-        while (batch->triangle_count < own.source->triangle_count);
-        return 0;
-    };
-    options_.batches = &counting;
-    test::frame(batched_, options_);
-    EXPECT_EQ(asked, 1u);
+    const SceneSource source(scene_, 1u << 20, false);
+    in_batches(source, options_);
+    EXPECT_EQ(source.batches(), 1u);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace test {
 
 class SceneSource {
 public:
-    // No batch has more than `most` triangles; how many, chance says.
-    SceneSource(const Scene& scene, uint32_t most, uint64_t seed = 5)
-        : scene_(scene), random_(seed) {
+    // No batch has more than `most` triangles; how many, chance says, or all have as many as they can.
+    SceneSource(const Scene& scene, uint32_t most, bool is_random = true)
+        : scene_(scene), is_random_(is_random) {
         source_.struct_size = sizeof source_;
         source_.fill = [](rsh_batch* batch, void* self) {
             return static_cast<SceneSource*>(self)->fill(*batch);
@@ -41,7 +41,7 @@ private:
         ++batches_;
         const uint32_t left = source_.triangle_count - batch.first_triangle;
         const uint32_t most = std::min(batch.triangle_capacity, left);
-        batch.triangle_count = most - random_.below(most / 2 + 1);
+        batch.triangle_count = is_random_ ? most - random_.below(most / 2 + 1) : most;
         triangles_ += batch.triangle_count;
         batch.vertex_count = 3 * batch.triangle_count;
         for (uint32_t k = 0; k < batch.vertex_count; ++k) {
@@ -67,15 +67,16 @@ private:
     }
 
     const Scene& scene_;
-    Random random_;
+    const bool is_random_;
+    Random random_{5};
     rsh_batch_source source_ = {};
     uint32_t batches_ = 0, triangles_ = 0, last_ = 0xffffffffu;
 };
 
 // The scene without what its batches bring.
-inline void leave_to_batches(DeviceScene& scene) {
-    scene.desc.geometry = {};
-    scene.desc.normals = scene.desc.texcoords = scene.desc.material_ids = nullptr;
+inline void leave_to_batches(rsh_scene& scene) {
+    scene.geometry = {};
+    scene.normals = scene.texcoords = scene.material_ids = nullptr;
 }
 
 }  // namespace test

@@ -219,6 +219,7 @@ void EveryCall::add_queries(std::vector<Call>& calls) const {
     calls.push_back(query("rsh_spawn_wave_query", rsh_spawn_wave_query, valid_.spawn_wave()));
     calls.push_back(query("rsh_shadow_query", rsh_shadow_query, valid_.shadow()));
     calls.push_back(query("rsh_frame_query", rsh_frame_query, frame()));
+    calls.push_back(query("rsh_frame_query", rsh_frame_query, valid_.frame_batches()));
     calls.push_back(query("rsh_reduce_query", rsh_reduce_query, valid_.reduce()));
     calls.push_back({"rsh_find_features", [this] {
                          rsh_scene scene = valid_.scene.desc;
@@ -259,6 +260,8 @@ void EveryCall::add_passes(std::vector<Call>& calls) const {
     rsh_frame_desc approximate = frame();
     approximate.tolerance = 0.01f;
     calls.push_back(pass("rsh_frame, approximate", rsh_frame, approximate));
+    calls.push_back(pass("rsh_trace of batches", rsh_trace, valid_.trace_batches()));
+    calls.push_back(pass("rsh_frame of batches", rsh_frame, valid_.frame_batches()));
 }
 
 void EveryCall::add_blocking(std::vector<Call>& calls) const {

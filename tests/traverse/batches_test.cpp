@@ -86,6 +86,7 @@ protected:
         desc.rays = ray_buffer.get();
         desc.engine = way.engine;
         desc.budget = way.budget;
+        desc.cull = way.cull;
         left.name_in(desc);
         for (const Batch& batch : batches) {
             const DeviceMesh part(part_of(mesh, batch));
@@ -176,6 +177,81 @@ TEST_F(Batches, KeepTheLowerNumberOfEqualHits) {
     const test::Mesh soup = test::random_soup(random_, 60, 0.6f);
     const test::Mesh copies = test::turned_copies(random_, soup, 300);
     expect_answers_of_the_whole(copies, test::pinhole_rays(33, 31));
+}
+
+// With streams that overflow.
+TEST_F(Batches, KeepToABudget) {
+    const test::Mesh soup = test::random_soup(random_, 900, 0.4f);
+    const Rays rays = test::leaving_rays(random_, soup, test::small() ? 30 : 120, 90);
+    const auto hits = closest_hits(DeviceMesh(soup), rays, test::brute_force());
+    for (TraceOptions way : test::all_ways()) {
+        way.budget = RSH_MIN_BUDGET;
+        const auto batches = random_batches(random_, soup.triangle_count(), 3);
+        EXPECT_TRUE(test::same_bits(closest(soup, rays, batches, way), hits, "hits"))
+            << name_of(way);
+    }
+}
+
+TEST_F(Batches, HaveSides) {
+    const test::Mesh soup = test::random_soup(random_, 300, 0.4f);
+    const Rays rays = test::pinhole_rays(test::small() ? 17 : 49, 31);
+    TraceOptions whole = test::brute_force();
+    whole.cull = RSH_CULL_BACK;
+    const auto hits = closest_hits(DeviceMesh(soup), rays, whole);
+    for (TraceOptions way : test::brute_force_and_all_ways())
+        for (const size_t budget : {size_t{0}, size_t{RSH_MIN_BUDGET}}) {
+            way.cull = RSH_CULL_BACK;
+            way.budget = way.engine == RSH_ENGINE_BRUTE_FORCE ? 0 : budget;
+            const auto batches = random_batches(random_, soup.triangle_count(), 3);
+            EXPECT_TRUE(test::same_bits(closest(soup, rays, batches, way), hits, "hits"))
+                << name_of(way) << ", budget " << budget;
+        }
+}
+
+// Each field by its name, and what it may be.
+TEST_F(Batches, AreRefusedWhereTheyAreNone) {
+    const DeviceMesh mesh(test::grid(2));
+    const Rays rays = test::pinhole_rays(8, 8);
+    const Buffer<rsh_ray> ray_buffer(rays.rays);
+    const Buffer<rsh_hit> hits(rays.rays.size());
+    const Buffer<uint32_t> words(rays.rays.size());
+    rsh_traverse_desc valid = {};
+    valid.struct_size = sizeof valid;
+    valid.geometry = mesh.geometry();
+    valid.width = valid.height = 8;
+    valid.rays = ray_buffer.get();
+    valid.hits = hits.get();
+    valid.occlusion = valid.hit_counts = words.get();
+    valid.engine = RSH_ENGINE_BRUTE_FORCE;
+    const auto expect_refused = [&](const rsh_traverse_desc& desc, const std::string& error) {
+        EXPECT_EQ(rsh_traverse(test::device().rsh, test::device().queue(), &desc, 0, nullptr,
+                               nullptr),
+                  RSH_INVALID_VALUE);
+        EXPECT_NE(std::string(rsh_last_error()).find(error), std::string::npos)
+            << rsh_last_error();
+    };
+    rsh_traverse_desc desc = valid;
+    desc.continued = 2;
+    expect_refused(desc, "continued: is 2, must be 0 or 1");
+    desc = valid;
+    desc.first_triangle = 0xfffffff7u;
+    expect_refused(desc, "first_triangle: is 4294967287, must be at most 4294967286");
+    desc = valid;
+    desc.query = RSH_QUERY_COUNT;
+    desc.continued = 1;
+    expect_refused(desc, "query: is 2, must be RSH_QUERY_CLOSEST or RSH_QUERY_ANY");
+    desc = valid;
+    desc.skip = words.get();
+    desc.first_triangle = 1;
+    expect_refused(desc, "skip_corners: is NULL");
+    desc = valid;
+    desc.skip_count = (1u << 28) + 1;
+    expect_refused(desc, "skip_count: is 268435457, must be at most 268435456");
+    desc = valid;
+    desc.query = RSH_QUERY_COUNT;
+    desc.skip_corners = words.get();
+    desc.hits = nullptr;
+    expect_refused(desc, "query: is 2, must be RSH_QUERY_CLOSEST or RSH_QUERY_ANY with skip");
 }
 
 TEST_F(Batches, OfWhichSomeAreLeftOutGiveTheHitsOfTheOthers) {

@@ -259,11 +259,11 @@ static void add_tests_per_ray(const traversal_state* state, __global uint* tests
 
 RSH_FILLS_VECTORS
 __kernel void rsh_traverse_tiles(
-    bvh_whole whole, __global const float* bvh, mesh_view mesh,
-    __global const float* vertices, __global const uint* indices, ray_levels shape,
-    __global const uint* list_count, __global const rsh_ray* rays, __global const uint* skip,
-    __global const float* nodes, __global rsh_hit* hits, __global uint* occlusion,
-    uint occlusion_bit, uint is_counting, __global uint* counts, __global uint* tests_per_ray,
+    bvh_whole whole, __global const float* bvh, mesh_view mesh, __global const float* vertices,
+    __global const uint* indices, ray_levels shape, __global const uint* list_count,
+    __global const rsh_ray* rays, __global const uint* skip, __global const float* nodes,
+    __global rsh_hit* hits, __global uint* occlusion, uint occlusion_bit, uint is_counting,
+    __global uint* counts, __global uint* tests_per_ray,
     volatile __global uint* wrong RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
 {
     const ray_levels levels = counted_levels(shape, list_count);
