@@ -1,5 +1,5 @@
 // layout.hpp - how large the BVH of so many triangles is, and where things lie in it. Needs
-// nothing but two headers: tests read the same.
+// nothing but rsh.h and bvh/types.h: tests read the same.
 #pragma once
 
 #include <rsh/rsh.h>
