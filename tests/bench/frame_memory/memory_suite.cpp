@@ -47,11 +47,11 @@ const std::vector<Row>& rows() {
     static const std::vector<Row> all = {
         {room("room-several-10k", Reflector::kSeveral, 10000), {128, 192}, true},
         {room("room-several-20k", Reflector::kSeveral, 20000), {512, 512}},
-        {room("room-glass-80k", Reflector::kGlass, 80000), {512, 512}},
+        {room("room-glass-80k", Reflector::kGlass, 80000), {256, 256}},
         {room("room-floor-700k", Reflector::kFloor, 700000), {256, 256}},
-        {file("cornell_mirror"), {512, 512}},
-        {file("chinese_dragon_20k"), {512, 512}},
-        {file("kitchen"), {512, 512}},
+        {file("cornell_mirror"), {256, 256}},
+        {file("chinese_dragon_20k"), {256, 256}},
+        {file("kitchen"), {128, 128}},
     };
     return all;
 }

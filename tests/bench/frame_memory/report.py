@@ -64,23 +64,9 @@ def verdict(results):
             f"least, {len(results.cases) - len(cases)} times of as many.")
 
 
-def batch_costs(results):
-    """Of each trace, the milliseconds that a batch more takes, from no budget to the least one."""
-    for budgets in by_subject(results, "trace").values():
-        least, free = budgets["least"], budgets[WITHOUT]
-        if least["batches"] > free["batches"]:
-            yield (least["ms"] - free["ms"]) / (least["batches"] - free["batches"])
-
-
-def batches_text(results):
-    costs = list(batch_costs(results))
-    return [f"- Rays: a batch more takes {min(costs):.2f} to {max(costs):.2f} ms, from no budget to the least "
-            f"one."] if costs else []
-
-
 def table(results):
     lines = [line for call in HEADS for line in call_table(results, call)]
     about = ["- Cells: the time over that without a budget in the same round, median · batches of triangles, all "
              "traversals together · most MiB that were allocated at once, by a layer that counts. Last column: the "
-             "time itself.", verdict(results), *batches_text(results), measured_on(results)]
+             "time itself.", verdict(results), measured_on(results)]
     return "\n".join([*lines, wrapped(about)])

@@ -115,9 +115,8 @@ class Tables(InFolder):
         self.assertIn("| room 64x32, paper | 0.06 | 1.50 · 11 · 2.0 | 1.30 · 6 · 3.0 | 1.20 · 4 · 3.0 | "
                       "1.00 · 1 · 8.0 | 10 ms · 1 · 8.0 |\n", text)
         self.assertNotIn("Frames", text)
-        text = " ".join(text.split())
-        self.assertIn("0 mismatches in 5 cases. Allocated at once is at most 1.0000 of what is allowed.", text)
-        self.assertIn("a batch more takes 0.50 to 0.50 ms", text)
+        self.assertIn("0 mismatches in 5 cases. Allocated at once is at most 1.0000 of what is allowed.",
+                      " ".join(text.split()))
 
     def test_several_files_of_a_suite_are_one_table(self):
         def stream(strategy, speed):

@@ -33,4 +33,4 @@ struct rsh_counts {
 };
 
 typedef void (*rsh_read_counts_function)(struct rsh_counts* counts);
-typedef void (*rsh_restart_peak_function)(void);
+typedef void (*rsh_restart_peak_function)();

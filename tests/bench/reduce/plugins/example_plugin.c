@@ -32,6 +32,7 @@ static int create(const rsh_bench_stream* stream, void** state) {
     const char* source = kSource;
     char options[32];
     example* e = calloc(1, sizeof *e);
+    status = CL_SUCCESS;
     if (stream->keep != RSH_BENCH_KEEP_NOT_NULL || !e) return free(e), RSH_BENCH_REFUSED;
     e->stream = *stream;
     snprintf(options, sizeof options, "-DWORDS=%u", (unsigned)(stream->element_bytes / 4));

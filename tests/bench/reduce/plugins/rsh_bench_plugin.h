@@ -62,7 +62,7 @@ typedef struct rsh_bench_plugin {
     /* After a create that returned RSH_BENCH_DONE. */
     void (*destroy)(void* state);
     /* Why the last create or run did not return RSH_BENCH_DONE. */
-    const char* (*error)(void);
+    const char* (*error)(void); /* NOLINT(modernize-redundant-void-arg): this is C */
 } rsh_bench_plugin;
 
 /* What the shared object exports. NULL is a failure. */
