@@ -61,6 +61,9 @@ struct Camera {
     float near = 1e-3f;
 };
 
+// A mesh is far from 0 at more than so many times half its size: there, floats may be too coarse.
+constexpr double kFarAgainstSize = 8.0;
+
 // Corners that differ in position, normal or texture coordinate are different vertices.
 struct Mesh {
     // What to add to all positions, in double: coordinates of a map, say, are too large for floats

@@ -85,9 +85,9 @@ double quantile(std::vector<double> values, double share) {
     return *place;
 }
 
-// 0 unless many polygons are coarse and the mesh is small against its distance from 0. Then the
-// middle of its corners, as a float, so that coordinates that are floats stay exact. Corners that
-// lie astray, up to a tenth, do not count.
+// 0 unless many polygons are coarse and the mesh is far from 0. Then the middle of its corners, as a
+// float, so that coordinates that are floats stay exact. Corners that lie astray, up to a tenth, do
+// not count.
 glm::dvec3 origin_of(const Soup& soup) {
     size_t coarse = 0;
     for (size_t i = 0; i < soup.ends.size(); ++i) coarse += is_coarse_in_float(soup, i);
@@ -101,7 +101,8 @@ glm::dvec3 origin_of(const Soup& soup) {
         for (double& value : values) value = std::abs(value - middle[axis]);
         size[axis] = quantile(values, 0.9);
     }
-    return largest(glm::abs(middle)) > 8.0 * largest(size) ? middle : glm::dvec3(0.0);
+    return largest(glm::abs(middle)) > kFarAgainstSize * largest(size) ? middle
+                                                                       : glm::dvec3(0.0);
 }
 
 IndexedMesh with_vertices_of_file(const Soup& soup) {

@@ -140,13 +140,21 @@ void place_camera_and_lights(const glm::mat4& matrix, const Model& rest, Model& 
     placed.camera->up = turn * rest.camera->up;
 }
 
-// Its origin keeps such a mesh fine until it is placed; in the world, positions are floats.
+// The largest distance from the mesh's origin, along an axis.
+double half_size(const Mesh& mesh) {
+    float largest = 0.0f;
+    for (const glm::vec3& p : mesh.positions)
+        for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(p[i]));
+    return largest;
+}
+
+// Its origin keeps a mesh fine until it is placed; in the world, positions are floats.
 std::optional<std::string> coarseness(const glm::dmat4& matrix, const MeshEntry& entry,
                                       const Mesh& mesh) {
+    if (mesh.origin == glm::dvec3(0.0)) return std::nullopt;
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix))));
-    const double before = scale * glm::length(mesh.origin);
     const double now = glm::length(glm::dvec3(matrix[3]));
-    if (!(before > 0.0 && now > 0.1 * before)) return std::nullopt;
+    if (!(now > kFarAgainstSize * scale * half_size(mesh))) return std::nullopt;
     return fmt::format(
         "{}: lies {:.3g} from the world's origin, where floats round by up to {:.2g}, too "
         "much for its size; \"transform\" can move it nearer",

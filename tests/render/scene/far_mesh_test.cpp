@@ -205,5 +205,18 @@ TEST(FarMesh, ThatStaysThereIsWarnedOf) {
     expect_placed(world, glm::dmat4(1.0), kPlaces[0], 0.3);
 }
 
+// Half the sheet's size is 1.
+TEST(FarMesh, IsWarnedOfByItsSize) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.obj", obj({0, 0, -30}));
+    const auto warnings = [&](const char* transform) {
+        return world_of(file, std::string(", \"transform\": ") + transform).warnings().size();
+    };
+    EXPECT_EQ(warnings(R"({"translate": [0, 0, 25]})"), 0u);
+    EXPECT_EQ(warnings(R"({"translate": [0, 0, 20]})"), 1u);
+    EXPECT_EQ(warnings(R"([{"translate": [0, 0, 25]}, {"scale": 1000}])"), 0u);
+    EXPECT_EQ(warnings(R"([{"scale": 0.1}, {"translate": [0, 0, 2]}])"), 1u);
+}
+
 }  // namespace
 }  // namespace render
