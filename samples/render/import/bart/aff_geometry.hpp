@@ -1,5 +1,5 @@
 // aff_geometry.hpp - what AFF files draw: polygons, triangles that are textured or move, meshes, spheres
-// and cones, as triangles of one mesh. Knows no transform but the number of the present one.
+// and cones, as triangles of one mesh. Applies no transform.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ public:
     void read_cone();               // "c"
     void read_mesh();               // "m"
 
-    size_t node = 0;
+    size_t node = 0;  // the innermost transform that is open; 0: the world
 
 private:
     struct Corner {

@@ -17,7 +17,7 @@ namespace render {
 
 // Materials go to the scene, and a warning for each texture that is not there: what has it keeps
 // its plain colour. The material of the n-th fill is called "aff<n>", from 0, and with a texture
-// "aff<n> <texture>". Throws LoadError.
+// "aff<n> <texture>". What comes before any fill has a default one, which counts. Throws LoadError.
 class AffMaterials {
 public:
     AffMaterials(AffTokens& tokens, AffScene& scene) : tokens_(tokens), scene_(scene) {}
