@@ -21,6 +21,7 @@ HostWrite::~HostWrite() {
 }
 
 void* HostWrite::filled_anew() {
+    require_success(given_up_, "clRetainEvent");
     if (event_) wait_for(event_.get());
     event_ = Event();
     return memory_.get();
@@ -32,8 +33,8 @@ Event HostWrite::enqueue(cl_command_queue queue, cl_mem buffer, size_t bytes,
         opencl(queue).clEnqueueWriteBuffer(queue, buffer, CL_FALSE, 0, bytes, memory_.get(),
                                            waits.count, waits.events, event_.out()),
         "clEnqueueWriteBuffer");
-    if (opencl(event_.get()).clRetainEvent(event_.get()) == CL_SUCCESS)
-        return Event(event_.get());
+    given_up_ = opencl(event_.get()).clRetainEvent(event_.get());
+    if (given_up_ == CL_SUCCESS) return Event(event_.get());
     static_cast<void>(memory_.release());  // leaked, on purpose
     return std::move(event_);
 }

@@ -17,7 +17,7 @@ public:
     HostWrite(HostWrite&&) noexcept = default;
     HostWrite& operator=(HostWrite&&) = delete;
 
-    // To be filled. BLOCKS until the last command has read it; throws when that failed.
+    // To be filled. BLOCKS until the last command has read it; throws when that failed, or cannot be known.
     void* filled_anew();
     // Enqueues a copy of its front to that of `buffer`, after `waits`. Returns the command.
     Event enqueue(cl_command_queue queue, cl_mem buffer, size_t bytes, const Waits& waits);
@@ -25,6 +25,7 @@ public:
 private:
     std::unique_ptr<char[]> memory_;
     Event event_;
+    cl_int given_up_ = CL_SUCCESS;  // why
 };
 
 }  // namespace rsh
