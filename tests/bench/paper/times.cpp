@@ -20,24 +20,28 @@ double typical(const Row& row, const std::vector<double>& values) {
     return row.scene.moves ? mean(values) : spread(values).median;
 }
 
-double stage(const Times& times, std::initializer_list<int> stages) {
-    double sum = 0;
-    for (const FrameWork& work : times.works)
-        for (const int i : stages) sum += work.stage_ms[size_t(i)];
-    return sum / double(times.works.size());
+// Milliseconds of these stages in a frame.
+double stage(const Row& row, const Times& times, std::initializer_list<int> stages) {
+    std::vector<double> ms;
+    for (const FrameWork& work : times.works) {
+        ms.push_back(0);
+        for (const int i : stages) ms.back() += work.stage_ms[size_t(i)];
+    }
+    return typical(row, ms);
 }
 
 // Shares of the frames that were counted; `other` is all that has no name here: the camera's rays,
 // spawning, clears, and waits of the host.
-json shares(const Times& times) {
-    double whole = 0;
-    for (const FrameWork& work : times.works)
-        whole += work.frame_ms / double(times.works.size());
-    json found = {{"share_build", stage(times, {RSH_STAGE_BOUND, RSH_STAGE_BUILD}) / whole},
-                  {"share_tests", stage(times, {RSH_STAGE_TEST}) / whole},
-                  {"share_reduction", stage(times, {RSH_STAGE_REDUCE}) / whole},
-                  {"share_intersect", stage(times, {RSH_STAGE_INTERSECT}) / whole},
-                  {"share_shade", stage(times, {RSH_STAGE_SHADE}) / whole}};
+json shares(const Row& row, const Times& times) {
+    std::vector<double> frame_ms;
+    for (const FrameWork& work : times.works) frame_ms.push_back(work.frame_ms);
+    const double whole = typical(row, frame_ms);
+    json found = {
+        {"share_build", stage(row, times, {RSH_STAGE_BOUND, RSH_STAGE_BUILD}) / whole},
+        {"share_tests", stage(row, times, {RSH_STAGE_TEST}) / whole},
+        {"share_reduction", stage(row, times, {RSH_STAGE_REDUCE}) / whole},
+        {"share_intersect", stage(row, times, {RSH_STAGE_INTERSECT}) / whole},
+        {"share_shade", stage(row, times, {RSH_STAGE_SHADE}) / whole}};
     double named = 0;
     for (const json& share : found) named += share.get<double>();
     found["share_other"] = 1 - named;
@@ -82,13 +86,13 @@ json times_of(const Row& row, const Times& times) {
                   {"frame_ms", typical(row, times.frame_ms)},
                   {"frame_ms_low", spread(times.frame_ms).low},
                   {"frame_ms_high", spread(times.frame_ms).high},
-                  {"ms_bound", stage(times, {RSH_STAGE_BOUND})},
-                  {"ms_build", stage(times, {RSH_STAGE_BUILD})},
-                  {"ms_tests", stage(times, {RSH_STAGE_TEST})},
-                  {"ms_reduction", stage(times, {RSH_STAGE_REDUCE})},
-                  {"ms_intersect", stage(times, {RSH_STAGE_INTERSECT})},
+                  {"ms_bound", stage(row, times, {RSH_STAGE_BOUND})},
+                  {"ms_build", stage(row, times, {RSH_STAGE_BUILD})},
+                  {"ms_tests", stage(row, times, {RSH_STAGE_TEST})},
+                  {"ms_reduction", stage(row, times, {RSH_STAGE_REDUCE})},
+                  {"ms_intersect", stage(row, times, {RSH_STAGE_INTERSECT})},
                   {"frames", times.ms.size()}};
-    found.update(shares(times));
+    found.update(shares(row, times));
     found.update(counts(times));
     const json pairs = pairs_by_level(times);
     if (!pairs.empty()) found["pairs_by_level"] = pairs;
