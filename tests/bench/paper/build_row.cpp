@@ -43,6 +43,7 @@ std::string build_case_name(const std::string& engine) {
 }
 
 void measure_builds(const Run& run, const std::vector<std::string>& engines, size_t pairs) {
+    if (engines.empty()) return;
     const BuildRow row = row_of_reflections();
     const FrameScene scene(row.scene);
     SceneOnDevice on_device(run.device, scene);

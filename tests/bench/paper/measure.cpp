@@ -21,12 +21,9 @@ constexpr double kSlowMs = 3000;
 
 class RowRun {
 public:
-    RowRun(const Run& run, Estimate& estimate, const Row& row, const Amount& amount)
-        : run_(run),
-          estimate_(estimate),
-          row_(row),
-          amount_(amount),
-          scene_(open_scene(row.scene)) {
+    RowRun(const Run& run, Estimate& estimate, const Row& row, MovingScene& scene,
+           const Amount& amount)
+        : run_(run), estimate_(estimate), row_(row), amount_(amount), scene_(scene) {
         move_to(0.5);
         params_ = {{"row", row_.name},
                    {"scene", row_.scene.name},
@@ -38,7 +35,6 @@ public:
                    {"batches", 1}};
         if (row_.scene.source == Source::kLayers) params_["layers"] = row_.scene.layers;
         if (!row_.strategy.empty()) params_["strategy"] = row_.strategy;
-        look();
     }
 
     void measure(const std::string& engine);
@@ -46,7 +42,7 @@ public:
 private:
     void move_to(double fraction) {
         moment_.reset();
-        moment_ = std::make_unique<Moment>(run_.device, scene_->at(fraction), row_);
+        moment_ = std::make_unique<Moment>(run_.device, scene_.at(fraction), row_);
     }
     size_t frames(const std::string& engine) const {
         return engine == "tiles" ? amount_.frames : amount_.slow_frames;
@@ -67,7 +63,7 @@ private:
     Estimate& estimate_;
     const Row& row_;
     const Amount& amount_;
-    std::unique_ptr<MovingScene> scene_;
+    MovingScene& scene_;
     std::unique_ptr<Moment> moment_;
     json params_;
 };
@@ -86,8 +82,9 @@ std::string RowRun::why_not(const std::string& engine, Frame& frame) const {
     return why.empty() ? memory_refusal(run_.device.memory(), frame.needs(), 0) : why;
 }
 
-// What the row's stand-in is like, by a frame of the quickest engine.
+// What the row's stand-in is like, by a frame of the quickest engine; the same for all of them.
 void RowRun::look() {
+    if (params_.contains("spawn_share")) return;
     Frame frame(run_.device, settings("tiles"));
     moment_->place_in(frame);
     frame.allocate();
@@ -163,10 +160,10 @@ Times RowRun::time(Frame& frame, size_t most) {
 
 // Whether all was right; an error is among the metrics.
 bool RowRun::check_and_time(const std::string& engine, Frame& frame, json& metrics) {
-    const std::string lack = shortfall();
-    if (!lack.empty()) metrics["error"] = lack;
-    if (!lack.empty()) return false;
     try {
+        look();
+        const std::string lack = shortfall();
+        if (!lack.empty()) throw std::runtime_error(lack);
         frame.allocate();
         if (!check(frame, metrics)) return false;
         metrics.update(times_of(row_, time(frame, frames(engine))));
@@ -197,9 +194,9 @@ void RowRun::measure(const std::string& engine) {
 
 }  // namespace
 
-void measure_row(const Run& run, Estimate& estimate, const Row& row,
+void measure_row(const Run& run, Estimate& estimate, const Row& row, MovingScene& scene,
                  const std::vector<std::string>& engines, const Amount& amount) {
-    RowRun row_run(run, estimate, row, amount);
+    RowRun row_run(run, estimate, row, scene, amount);
     for (const std::string& engine : engines) row_run.measure(engine);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "paper/rows.hpp"
+#include "paper/scenes/scenes.hpp"
 #include "suite.hpp"
 
 namespace bench::paper {
@@ -17,8 +18,8 @@ struct Amount {
     double audit_tests;  // of rays against triangles, by brute force, per wave
 };
 
-// A case per engine. Throws what opening the scene throws.
-void measure_row(const Run& run, Estimate& estimate, const Row& row,
+// A case per engine.
+void measure_row(const Run& run, Estimate& estimate, const Row& row, MovingScene& scene,
                  const std::vector<std::string>& engines, const Amount& amount);
 
 }  // namespace bench::paper

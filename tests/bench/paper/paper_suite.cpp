@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <regex>
 
 #include "paper/batches/batches_rows.hpp"
@@ -88,11 +89,13 @@ void list(const Selection& selection) {
 // A scene whose files are missing is left out.
 void measure(const Run& run, Estimate& estimate, const Selected& one, const Amount& amount) {
     std::string why = run.limit.has_passed() ? run.limit.when_passed() : "";
+    std::unique_ptr<MovingScene> scene;
     try {
-        if (why.empty()) return measure_row(run, estimate, one.row, one.engines, amount);
+        if (why.empty()) scene = open_scene(one.row.scene);
     } catch (const std::exception& error) {
         why = describe_error(error);
     }
+    if (scene) return measure_row(run, estimate, one.row, *scene, one.engines, amount);
     for (const std::string& engine : one.engines)
         run.results.leave_out(case_name(one.row, engine), why);
 }

@@ -73,12 +73,14 @@ void add_series(std::vector<Row>& rows) {
 
 void add_files(std::vector<Row>& rows) {
     Row museum = {"museum3", file("museum3", true)};
+    museum.scene.name = "BART's museum3, its soups drawn anew";
     museum.has_shadows = true;
     museum.paper_ms = 289;
     museum.is_quick = true;
     rows.push_back(museum);
     museum.name = "museum8";
     museum.scene = file("museum8", true);
+    museum.scene.name = "BART's museum8, its soups drawn anew";
     museum.paper_ms = 3330;
     rows.push_back(museum);
 

@@ -18,10 +18,9 @@ struct SceneKind {
     Source source;
     std::string name;       // of the scene that is rendered, in the results
     int64_t triangles = 0;  // of a generated scene, about
-    cl_uint layers =
-        1;  // of kLayers: sheets behind each other, of which the first hides the others
-    std::string file;    // of samples/scenes, of kFile
-    bool moves = false;  // from frame to frame
+    cl_uint layers = 1;     // of kLayers: sheets, of which the first hides the others
+    std::string file;       // of samples/scenes, of kFile
+    bool moves = false;     // from frame to frame
     // Of kFile: what is changed to have more rays: files of meshes that become mirrors, and where a
     // camera that sees them stands and looks.
     std::vector<std::string> mirrors = {};
@@ -40,10 +39,9 @@ struct Row {
     // and how many reflecting things are seen.
     double least_spawn_share = 0;
     size_t least_reflectors = 0;
-    std::string strategy =
-        {};  // how paper_faithful, and nothing else, reduces; empty: the library's choice
+    std::string strategy = {};  // RSH_STRATEGY_..., by name; empty: the library's choice
 
-    // Of the strategies, paper_faithful alone knows anything.
+    // Only paper_faithful reduces by a strategy.
     bool takes(const std::string& engine) const {
         return strategy.empty() || engine == "paper_faithful";
     }
