@@ -52,9 +52,9 @@
  *              OpenCL, `done` must not point into wait_list. In-order and out-of-order queues
  *              both work. A wait list with an event that has failed is refused, with
  *              CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST; when one fails later, the call's
- *              commands and *done fail with it. rsh_frame, rsh_get_statistics, rsh_device_status,
- *              rsh_device_selftest, rsh_create_context, rsh_prepare, rsh_wait_prepared and
- *              rsh_release_context may block, and say so.
+ *              commands and *done fail with it. rsh_frame, rsh_trace with batches,
+ *              rsh_get_statistics, rsh_device_status, rsh_device_selftest, rsh_create_context,
+ *              rsh_prepare, rsh_wait_prepared and rsh_release_context may block, and say so.
  *   Queries    rsh_<call>_query refuses the values that the call refuses, but looks at no
  *              buffer: those may be NULL or too small. It does no device work.
  *   Scratch    rsh_<call>_query says how many bytes `scratch` needs. NULL takes it from the

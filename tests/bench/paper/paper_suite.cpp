@@ -112,11 +112,11 @@ void PaperSuite::run(const Run& run) {
     if (lists_) return list(selection);
     const Amount& amount = run.quick ? kQuick : kUsual;
     ProgressBar progress(selection.rows.size() + 2);
+    progress.begin(kBuildRow);
+    measure_builds(run, selection.builds, run.quick ? kQuickPairs : kUsualPairs);
     progress.begin("batches");
     measure_out_of_core(run, selection.batches, amount);
     measure_batches(run, selection.batches, amount);
-    progress.begin(kBuildRow);
-    measure_builds(run, selection.builds, run.quick ? kQuickPairs : kUsualPairs);
     measure_spheres(run, selection.spheres);
     Estimate estimate;
     for (const Selected& one : selection.rows) {
