@@ -40,7 +40,7 @@ MorphCorners corners_at(const AffMorph& morph, double time) {
     while (i + 1 < last && time >= morph.times[i + 1]) ++i;
     const size_t j = std::min(i + 1, last);
     const double length = morph.times[j] - morph.times[i];
-    const double u = length > 0.0 ? (time - morph.times[i]) / length : 0.0;
+    const double u = length > 0.0 ? (time - morph.times[i]) / length : 1.0;
     MorphCorners corners;
     for (size_t k = 0; k < 6; ++k)
         corners.values[k] =

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <string_view>
 
 #include "files/asset.hpp"
 #include "files/references.hpp"
@@ -16,6 +16,8 @@ namespace {
 constexpr size_t kMaxDepth = 64;
 // Each of which may include the next one twice. BART's kitchen has fifty.
 constexpr size_t kMaxFiles = 10000;
+// Beside blanks. No word ends at a zero byte.
+constexpr std::string_view kEndsOfWords = "#%{}";
 
 bool is_blank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
@@ -70,7 +72,7 @@ std::string AffTokens::next() {
     // A brace is a word of its own.
     if (file.text[start] == '{' || file.text[start] == '}') return {file.text[file.at++]};
     while (file.at < file.text.size() && !is_blank(file.text[file.at]) &&
-           !std::strchr("#%{}", file.text[file.at]))
+           kEndsOfWords.find(file.text[file.at]) == std::string_view::npos)
         ++file.at;
     return file.text.substr(start, file.at - start);
 }

@@ -45,6 +45,17 @@ TEST(AffAnimation, MuseumTriangleIsLinearBetweenItsKeysAndClampedOutside) {
     expect_near(animation->at(9.0).mesh.normals[1], {0.0f, 1.0f, 0.0f}, "normals are unit");
 }
 
+TEST(AffAnimation, AFreeTriangleJumpsWhereTwoOfItsKeysHaveOneTime) {
+    const auto animation = load_text(
+        "tpa 3\n"
+        "0  0 0 0 0 0 1  1 0 0 0 0 1  0 1 0 0 0 1\n"
+        "1  2 0 0 0 0 1  3 0 0 0 0 1  2 1 0 0 0 1\n"
+        "1  8 0 0 0 0 1  9 0 0 0 0 1  8 1 0 0 0 1\n");
+    expect_near(animation->at(0.5).mesh.positions[0], {1.0f, 0.0f, 0.0f}, "on the way");
+    expect_near(animation->at(1.0).mesh.positions[0], {8.0f, 0.0f, 0.0f}, "after the jump");
+    expect_near(animation->at(5.0).mesh.positions[0], {8.0f, 0.0f, 0.0f}, "behind the end");
+}
+
 TEST(AffAnimation, StaticTransformsScaleThenRotateThenTranslate) {
     const auto animation = load_text(
         "xs 2 1 1  0 0 1 90  10 0 0 {\n xs 1 1 1 0 0 1 0 0 0 5 { p 3 1 0 0  0 1 0  0 0 0 }\n}\n"

@@ -65,6 +65,13 @@ TEST(AffSlips, AreWarnedOfOnceWhereAFileIsIncludedTwice) {
     expect_parts(warnings[1], {"wheel.aff, line 1", "'wheel'"});
 }
 
+// A zero byte is no end of the file.
+TEST(AffSlips, AZeroByteIsAnUnknownWord) {
+    std::string text = std::string(kTriangle) + "? " + kTriangle;
+    text[text.find('?')] = '\0';
+    expect_parts(error_of(text), {"a.aff, line 2"});
+}
+
 // Nothing says how many words belong to a command that is not known.
 TEST(AffSlips, AnUnknownWordIsAnError) {
     expect_parts(error_of(kTriangle + std::string("q 3\n")), {"a.aff, line 2", "'q'"});
