@@ -135,6 +135,7 @@ def test_faces_that_stand_still_are_left_alone(mesh, rays):
     moves = np.setdiff1d(np.arange(len(mesh.vertices)), mesh.faces[:still])
     assert len(moves) > 10
     scene = rsh.Scene(mesh.vertices, mesh.faces, still_faces=still)
+    assert scene._mesh.geometry.still_triangles == still
     moved = np.array(mesh.vertices)
     for _ in range(3):
         scene.closest(rays)

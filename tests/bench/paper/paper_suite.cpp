@@ -115,7 +115,7 @@ void PaperSuite::run(const Run& run) {
     progress.begin(kBuildRow);
     measure_builds(run, selection.builds, run.quick ? kQuickPairs : kUsualPairs);
     progress.begin("batches");
-    measure_out_of_core(run, selection.batches, amount);
+    measure_out_of_core(run, selection.batches);
     measure_batches(run, selection.batches, amount);
     measure_spheres(run, selection.spheres);
     Estimate estimate;

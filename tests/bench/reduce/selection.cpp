@@ -150,7 +150,8 @@ std::vector<std::string> select_contenders(const ReduceOptions& o,
         names.emplace_back("peer:pyopencl");
     }
     std::vector<std::string> all = expanded(either(o.contenders, names));
-    all.insert(all.end(), plugins.begin(), plugins.end());
+    for (const std::string& plugin : plugins)
+        if (std::find(all.begin(), all.end(), plugin) == all.end()) all.push_back(plugin);
     return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "paper/batches/sources.hpp"
@@ -78,11 +79,6 @@ void add_times(const Row& row, const Times& times, Case& done) {
     done.metrics.update(times_of(row, times));
 }
 
-void hand_in(const Run& run, const Case& done) {
-    fmt::print("{}", as_text(done));
-    run.results.add(done);
-}
-
 json params_of(const Row& row, size_t triangles, cl_uint batches) {
     return {{"row", row.name},
             {"scene", row.scene.name},
@@ -95,21 +91,49 @@ json params_of(const Row& row, size_t triangles, cl_uint batches) {
             {"batches", batches}};
 }
 
+// Measures a case, unless the time is up; one whose call fails is wrong.
+template <class Measure>
+void attempt(const Run& run, Case done, Measure measure) {
+    if (run.limit.has_passed())
+        return run.results.leave_out(done.name, run.limit.when_passed());
+    try {
+        measure(done);
+    } catch (const std::exception& error) {
+        done.metrics["error"] = describe_error(error);
+        done.ok = false;
+    }
+    fmt::print("{}", as_text(done));
+    run.results.add(done);
+}
+
+// A scene, or nothing where its files are missing: these cases are left out then.
+template <class Open>
+std::optional<StillScene> opened(const Run& run, const std::vector<std::string>& names,
+                                 Open open) {
+    try {
+        return open();
+    } catch (const std::exception& error) {
+        for (const std::string& name : names)
+            run.results.leave_out(name, describe_error(error));
+        return {};
+    }
+}
+
 // A row's scene, whole and in any number of batches.
 class Batched {
 public:
-    Batched(const Run& run, Row row)
-        : run_(run),
-          row_(std::move(row)),
-          moment_(run.device, open_scene(row_.scene)->at(0.5), row_) {
-        Frame whole(run.device, settings_of(row_));
-        moment_.place_in(whole);
-        whole.allocate();
-        whole.render();
-        expected_ = whole.pixels();
+    Batched(const Run& run, Row row, StillScene scene)
+        : run_(run), row_(std::move(row)), moment_(run.device, std::move(scene), row_) {}
+
+    void measure(const std::string& name, cl_uint batches, size_t frames) {
+        const size_t triangles = moment_.still().mesh.triangles.size();
+        attempt(run_, {name, params_of(row_, triangles, batches), json::object(), true},
+                [&](Case& done) { check_and_time(done, batches, frames); });
     }
 
-    void measure(const std::string& name, cl_uint batches, size_t frames) const {
+private:
+    void check_and_time(Case& done, cl_uint batches, size_t frames) {
+        if (expected_.empty()) expected_ = whole();
         const render::Mesh& mesh = moment_.still().mesh;
         const cl_uint triangles = static_cast<cl_uint>(mesh.triangles.size());
         const MeshSource source(mesh, (triangles + batches - 1) / batches);
@@ -119,13 +143,19 @@ public:
         frame.allocate();
         frame.render();
         const size_t mismatches = count_differing(frame.pixels(), expected_);
-        Case done = {name, params_of(row_, triangles, batches), {}, mismatches == 0};
+        done.ok = mismatches == 0;
         done.metrics = {{"mismatches", mismatches}, {"bytes_peak", frame.scratch_bytes()}};
         if (done.ok) add_times(row_, time_frames(frame, frames, run_.limit), done);
-        hand_in(run_, done);
     }
 
-private:
+    std::vector<cl_float4> whole() const {
+        Frame frame(run_.device, settings_of(row_));
+        moment_.place_in(frame);
+        frame.allocate();
+        frame.render();
+        return frame.pixels();
+    }
+
     const Run& run_;
     const Row row_;
     const Moment moment_;
@@ -179,6 +209,35 @@ StillScene repeated_scene() {
     return scene;
 }
 
+// The picture of the copies, in batches of at most so many triangles; `use` sees the frame as well.
+template <class Use>
+std::vector<cl_float4> picture_of_copies(const Run& run, const Row& row, const Moment& moment,
+                                         cl_uint most, Use use) {
+    const RepeatedSource source(moment.still().mesh, kCopies, most);
+    FrameSettings settings = settings_of(row);
+    settings.budget = kOutOfCoreBudget;
+    Frame frame(run.device, settings);
+    moment.place_in(frame);
+    frame.take_batches(source.get());
+    frame.allocate();
+    frame.render();
+    const std::vector<cl_float4> pixels = frame.pixels();
+    use(frame);
+    return pixels;
+}
+
+// Against the same copies, cut in another way.
+void check_and_time_repeated(const Run& run, const Row& row, const Moment& moment, Case& done) {
+    const auto expected = picture_of_copies(run, row, moment, kOtherBatch, [](const Frame&) {});
+    const auto actual = picture_of_copies(run, row, moment, 0, [&](Frame& frame) {
+        add_times(row, time_frames(frame, kOutOfCoreFrames, run.limit), done);
+        done.metrics["bytes_peak"] = frame.scratch_bytes();
+    });
+    const size_t mismatches = count_differing(actual, expected);
+    done.ok = mismatches == 0;
+    done.metrics.update({{"mismatches", mismatches}, {"process_bytes", process_peak_bytes()}});
+}
+
 }  // namespace
 
 std::vector<std::string> batches_case_names(bool quick) {
@@ -192,58 +251,43 @@ std::vector<std::string> batches_case_names(bool quick) {
 
 void measure_batches(const Run& run, const std::vector<std::string>& names,
                      const Amount& amount) {
-    if (std::any_of(std::begin(kBatches), std::end(kBatches),
-                    [&](cl_uint batches) { return has(names, batches_name(batches)); })) {
+    std::vector<std::string> asked;
+    for (const cl_uint batches : kBatches)
+        if (has(names, batches_name(batches))) asked.push_back(batches_name(batches));
+    const auto measure = [&](const char* name, const Row& of, const auto& cases) {
+        Row row = of;
+        row.name = name;
+        auto scene = opened(run, asked, [&] { return open_scene(row.scene)->at(0.5); });
+        if (!scene) return;
+        Batched batched(run, row, std::move(*scene));
+        cases(batched);
+    };
+    if (!asked.empty()) {
         Row row = row_named("patio", 700000);
-        row.name = "batches";
         row.paper_ms.reset();
-        const Batched scene(run, row);
-        for (const cl_uint batches : kBatches)
-            if (has(names, batches_name(batches)))
-                scene.measure(batches_name(batches), batches, amount.slow_frames);
+        measure("batches", row, [&](Batched& scene) {
+            for (const cl_uint batches : kBatches)
+                if (has(asked, batches_name(batches)))
+                    scene.measure(batches_name(batches), batches, amount.slow_frames);
+        });
     }
+    asked = {large_name()};
     if (!has(names, large_name())) return;
-    try {
-        Row row = row_named("large");
-        row.name = "large_batches";
-        Batched(run, row).measure(large_name(), kBatchesOfPaper, amount.slow_frames);
-    } catch (const std::exception& error) {
-        run.results.leave_out(large_name(), describe_error(error));
-    }
+    measure("large_batches", row_named("large"), [&](Batched& scene) {
+        scene.measure(large_name(), kBatchesOfPaper, amount.slow_frames);
+    });
 }
 
-void measure_out_of_core(const Run& run, const std::vector<std::string>& names,
-                         const Amount& /*amount*/) try {
+void measure_out_of_core(const Run& run, const std::vector<std::string>& names) {
     if (!has(names, out_of_core_name())) return;
+    auto scene = opened(run, {out_of_core_name()}, repeated_scene);
+    if (!scene) return;
     const Row row = out_of_core_row();
-    const Moment moment(run.device, repeated_scene(), row);
-    std::vector<cl_float4> expected;
-    Case done = {out_of_core_name(), json::object(), json::object(), true};
-    for (const cl_uint most : {kOtherBatch, cl_uint{0}}) {
-        const RepeatedSource source(moment.still().mesh, kCopies, most);
-        FrameSettings settings = settings_of(row);
-        settings.budget = kOutOfCoreBudget;
-        Frame frame(run.device, settings);
-        moment.place_in(frame);
-        frame.take_batches(source.get());
-        frame.allocate();
-        frame.render();
-        if (expected.empty()) {
-            expected = frame.pixels();
-            continue;
-        }
-        const size_t mismatches = count_differing(frame.pixels(), expected);
-        done.ok = mismatches == 0;
-        done.params = params_of(row, source.get().triangle_count, 0);
-        done.params["budget"] = kOutOfCoreBudget;
-        add_times(row, time_frames(frame, kOutOfCoreFrames, run.limit), done);
-        done.metrics.update({{"mismatches", mismatches},
-                             {"bytes_peak", frame.scratch_bytes()},
-                             {"process_bytes", process_peak_bytes()}});
-    }
-    hand_in(run, done);
-} catch (const std::exception& error) {
-    run.results.leave_out(out_of_core_name(), describe_error(error));
+    const size_t triangles = kCopies * scene->mesh.triangles.size();
+    const Moment moment(run.device, std::move(*scene), row);
+    Case done = {out_of_core_name(), params_of(row, triangles, 0), json::object(), true};
+    done.params["budget"] = kOutOfCoreBudget;
+    attempt(run, done, [&](Case& of) { check_and_time_repeated(run, row, moment, of); });
 }
 
 }  // namespace bench::paper

@@ -18,8 +18,7 @@ std::vector<std::string> batches_case_names(bool quick);
 // Those that are named, of all rows but out_of_core.
 void measure_batches(const Run& run, const std::vector<std::string>& names,
                      const Amount& amount);
-// Before other rows make the process large.
-void measure_out_of_core(const Run& run, const std::vector<std::string>& names,
-                         const Amount& amount);
+// Before other rows but `build`: they make the process large.
+void measure_out_of_core(const Run& run, const std::vector<std::string>& names);
 
 }  // namespace bench::paper

@@ -33,7 +33,8 @@ static int create(const rsh_bench_stream* stream, void** state) {
     char options[32];
     example* e = calloc(1, sizeof *e);
     status = CL_SUCCESS;
-    if (stream->keep != RSH_BENCH_KEEP_NOT_NULL || !e) return free(e), RSH_BENCH_REFUSED;
+    if (stream->keep != RSH_BENCH_KEEP_NOT_NULL) return free(e), RSH_BENCH_REFUSED;
+    if (!e) return status = CL_OUT_OF_HOST_MEMORY;
     e->stream = *stream;
     snprintf(options, sizeof options, "-DWORDS=%u", (unsigned)(stream->element_bytes / 4));
     e->program = clCreateProgramWithSource(stream->context, 1, &source, NULL, &status);

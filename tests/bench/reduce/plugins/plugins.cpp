@@ -80,8 +80,8 @@ public:
 
     void run() override {
         const int result = plugin_.run(state_);
-        if (result != RSH_BENCH_DONE) throw std::runtime_error(said_by(plugin_, "run", result));
         device_.queue().finish();
+        if (result != RSH_BENCH_DONE) throw std::runtime_error(said_by(plugin_, "run", result));
     }
     bool is_right() const override {
         cl_uint count = 0;

@@ -59,7 +59,7 @@ typedef struct rsh_bench_plugin {
     /* Reduces the stream: enqueues on its queue. Timed from the call to the end of the queue, for
      * which the caller waits. Checked the first time, then called again and again. */
     int (*run)(void* state);
-    /* After a create that returned RSH_BENCH_DONE. */
+    /* After a create that returned RSH_BENCH_DONE, with nothing left on the queue. */
     void (*destroy)(void* state);
     /* Why the last create or run did not return RSH_BENCH_DONE. */
     const char* (*error)(void); /* NOLINT(modernize-redundant-void-arg): this is C */
