@@ -65,9 +65,9 @@
  *              buffer serves one call at a time.
  *   Errors     Every argument is checked before anything is enqueued; a status other than
  *              RSH_SUCCESS means that outputs are unchanged, except after an OpenCL failure, a
- *              kernel that is too large for the device (RSH_UNSUPPORTED) or RSH_CANCELLED in the
- *              middle of a call, when they are undefined and *done tells when their memory is
- *              free again. rsh_last_error() says more. No exception leaves a function, and
+ *              kernel too large for the device (RSH_UNSUPPORTED), RSH_CANCELLED or a wrong answer of
+ *              an rsh_batch_fill in the middle of a call, when they are undefined and *done tells
+ *              when their memory is free again. rsh_last_error() says more. No exception leaves a function, and
  *              no failure needs memory to be told, that of memory included: then the call
  *              returns RSH_OUT_OF_MEMORY, and works again when there is some.
  *   Threads    Any function may be called from any thread. Calls on one context run side by
@@ -126,7 +126,7 @@ enum {
     RSH_BUILD_FAILED = -4099,     /* a kernel did not compile; the message has the log        */
     RSH_UNSUPPORTED = -4100,      /* the device lacks what the call needs                     */
     RSH_OUT_OF_MEMORY = -4101,    /* the host is out of memory                                */
-    RSH_CANCELLED = -4102,        /* the progress callback asked to stop                      */
+    RSH_CANCELLED = -4102,        /* the progress callback, or a source of batches, asked to stop */
     RSH_INTERNAL_ERROR = -4103    /* a defect of rsh                                          */
 };
 
@@ -201,7 +201,7 @@ RSH_API rsh_status rsh_create_context(const rsh_context_desc* desc, rsh_context*
 
 /* Frees a context made by rsh_create_context, its programs and its scratch memory, once the
  * commands enqueued by its calls have finished; does not wait for them, but BLOCKS for a program that
- * is being compiled in the background, see rsh_prepare. While counting, the library must stay loaded
+ * is being compiled in the background, see rsh_prepare. While counting, and after batches, the library must stay loaded
  * until the commands have finished. NULL is ignored. */
 RSH_API void rsh_release_context(rsh_context context);
 
@@ -421,8 +421,8 @@ enum {
                              some as well, and is reported as RSH_WRONG_BOUNDS: begin with
                              QUALITY. With geometry.still_triangles the bounds of these are left
                              alone, neither read nor written, and all this is said of the others.
-                             Bounds that were made with another still_triangles or triangle_count
-                             are no use then: reported in the same way, and left unfit for use    */
+                             A BVH16 of another still_triangles or triangle_count is reported, too,
+                             and left unfit for use. Where all stand still, traversals report it  */
     RSH_BOUND_QUALITY = 2 /* anew, with more care: for bounds that are kept, to be refitted or for
                              many frames of a scene that stands still                         */
 };
@@ -564,7 +564,7 @@ typedef struct rsh_traverse_desc {
     cl_uint width;
     cl_uint height;        /* 0: 1, as in rsh_build_desc                                      */
     cl_uint query;         /* RSH_QUERY_... */
-    cl_mem hits;           /* closest: out: width * height x rsh_hit;
+    cl_mem hits;           /* closest: out, with `continued` in/out: width * height x rsh_hit;
                               all: out: hit_capacity x rsh_hit, ray by ray, those of a ray by t, of
                               equal t by primitive. Left alone if there are more than that    */
     cl_mem occlusion;      /* any: in/out: width * height x cl_uint, a mask per ray           */
@@ -636,7 +636,7 @@ RSH_API rsh_status rsh_traverse_query(rsh_context context, const rsh_traverse_de
  *          neither read nor written; with all, other rays have no hits. Statistics count the tests of
  *          these rays.
  *          continued: for scenes that come in batches, each a geometry with bounds of its own. Rays end
- *          where they hit a batch before, or, with any, are not traced when their bit is set. After all
+ *          where they hit a batch before; with any, tiles does not trace those whose bit is set. After all
  *          batches, in whatever order, hits and bits are those of one geometry with all triangles; of
  *          some batches, those of these. The first call has `continued` 0, which writes all hits.
  *          ray_masks, cull: hits of meshes and sides that are hidden from the ray are none: what lies
@@ -705,14 +705,14 @@ typedef struct rsh_batch {
     cl_uint* material_ids;     /* 1 per triangle                                             */
 } rsh_batch;
 
-/* Writes triangles from batch->first_triangle on, as many as it likes; nonzero: stop, which ends the call
- * with RSH_CANCELLED. Runs on the calling thread while the device works on the batch before; must not
+/* Writes triangles from batch->first_triangle on, as many as it likes; wrong counts end the call with
+ * RSH_INVALID_VALUE, nonzero with RSH_CANCELLED. On the calling thread, while the device works; must not
  * call rsh on that context. Memory is valid until it returns; it is write-only, and holds anything. */
 typedef int (*rsh_batch_fill)(rsh_batch* batch, void* user);
 
 /* The triangles of a scene that is larger than the device's memory, or than the host's. A call goes
- * through them once per wave of rays, and for shadows once per light; triangle i must be the same each
- * time. Which triangles come together is the source's choice: hits do not depend on it, time does. Best
+ * through them once per wave of rays and shadow light, in each strip of a frame and part of a wave: fewer times
+ * with more budget. Triangle i must be the same each time; which come together changes time, never hits. Best
  * are batches of what lies close together. */
 typedef struct rsh_batch_source {
     size_t struct_size;
@@ -782,11 +782,11 @@ typedef struct rsh_trace_desc {
     cl_mem skip_corners;       /* likewise                                                   */
     cl_mem skip_numbers;       /* likewise                                                   */
     cl_uint skip_count;        /* likewise                                                   */
-    const rsh_batch_source* batches; /* closest, any: the triangles, batch by batch, in place of
-                                  `geometry`, which is all 0 but for its ranges: none; see
-                                  rsh_batch_source. NULL: `geometry`                         */
-    size_t batch_budget;       /* bytes of scratch for a batch; 0: a quarter of the device's memory,
-                                  or its largest allocation                                  */
+    const rsh_batch_source* batches; /* closest, any: the triangles, batch by batch. Then counts and buffers
+                                  of `geometry`, and all of `bounds`, `continued`, `first_triangle`,
+                                  `normals`, `points` and `geometry_ids` are 0. NULL: `geometry` */
+    size_t batch_budget;       /* bytes of scratch for a batch and its traversal; 0: so that all of the call
+                                  keeps to a quarter of the device's memory and its largest allocation */
 } rsh_trace_desc;
 
 RSH_API rsh_status rsh_trace_query(rsh_context context, const rsh_trace_desc* desc,
@@ -1093,9 +1093,9 @@ typedef struct rsh_frame_desc {
     rsh_window window;
     float tolerance;      /* 0: an exact frame. Above: an approximate one, see below; 0.01 is a
                              difference that is hardly seen. Not NaN, not infinite           */
-    const rsh_batch_source* batches; /* the triangles, batch by batch, in place of scene->geometry,
-                             normals, texcoords and material_ids, which are 0 and NULL;
-                             NULL: those                                                     */
+    const rsh_batch_source* batches; /* the triangles, batch by batch; then the counts of
+                             scene->geometry and audit_rays are 0, and its buffers, scene->normals,
+                             texcoords and material_ids, and `bounds` NULL. NULL: the scene has all */
 } rsh_frame_desc;
 
 RSH_API rsh_status rsh_frame_query(rsh_context context, const rsh_frame_desc* desc,

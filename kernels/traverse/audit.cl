@@ -148,10 +148,9 @@ __kernel void rsh_audit(mesh_view mesh, __global const float* vertices,
                         __global const uint* occlusion, uint occlusion_bit,
                         __global const uint* hit_counts, __global const ulong* hit_offsets,
                         ulong hit_capacity, uint sample, uint seed,
-                        __global uint* report RSH_FILTER_PARAMETERS RSH_BATCH_PARAMETERS)
+                        __global uint* report RSH_FILTER_PARAMETERS)
 {
-    const triangles_left left = {mesh, vertices, indices, rays,
-                                 skip RSH_GIVEN_FILTER RSH_GIVEN_BATCH};
+    const triangles_left left = {mesh, vertices, indices, rays, skip RSH_GIVEN_FILTER};
     const given_answers given = {
         rays,         hits,
         occlusion,    occlusion_bit,

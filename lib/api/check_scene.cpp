@@ -83,6 +83,8 @@ void check_source(const rsh_batch_source& source, const rsh_geometry& geometry) 
             "0 with batches");
     require(geometry.range_count == 0, "geometry.range_count", geometry.range_count,
             "0 with batches");
+    refuse(geometry.vertices, "geometry.vertices", "batches");
+    refuse(geometry.indices, "geometry.indices", "batches");
 }
 
 void check_buffers(Buffers& buffers, const rsh_geometry& geometry) {

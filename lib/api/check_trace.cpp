@@ -63,9 +63,13 @@ void check_batches(const rsh_trace_desc& desc) {
     require(!desc.continued, "continued", desc.continued, "0 with batches");
     require(!desc.first_triangle, "first_triangle", desc.first_triangle, "0 with batches");
     refuse(desc.bounds, "bounds", "batches");
-    refuse(desc.normals, "normals", "batches");
-    refuse(desc.points, "points", "batches");
-    refuse(desc.geometry_ids, "geometry_ids", "batches");
+}
+
+// Of hits, some of which are of triangles that are not there.
+void refuse_descriptions(const rsh_trace_desc& desc, const char* with) {
+    refuse(desc.normals, "normals", with);
+    refuse(desc.points, "points", with);
+    refuse(desc.geometry_ids, "geometry_ids", with);
 }
 
 }  // namespace
@@ -73,6 +77,9 @@ void check_batches(const rsh_trace_desc& desc) {
 void check_shape(const rsh_trace_desc& desc) {
     check_shape(trace_traverse(desc));
     if (desc.batches) check_batches(desc);
+    if (desc.batches) refuse_descriptions(desc, "batches");
+    if (desc.continued || desc.first_triangle)
+        refuse_descriptions(desc, "continued or first_triangle");
     require(desc.converging <= 1, "converging", desc.converging, "0 or 1");
     for_each_floats(desc,
                     [&](const FloatsNames& names, const rsh_ray_floats& floats, cl_uint bytes) {
@@ -80,9 +87,7 @@ void check_shape(const rsh_trace_desc& desc) {
                         if (desc.rays) refuse(floats.buffer, names.buffer, "rays");
                     });
     if (has_hits(desc)) return;
-    refuse(desc.normals, "normals", "a query that lists no hits");
-    refuse(desc.points, "points", "a query that lists no hits");
-    refuse(desc.geometry_ids, "geometry_ids", "a query that lists no hits");
+    refuse_descriptions(desc, "a query that lists no hits");
 }
 
 void check_buffers(const Context& context, const rsh_trace_desc& desc) {

@@ -38,7 +38,7 @@ void BatchFeed::for_each(const UseBatch& use) {
     for (cl_uint first = 0; first < source_.triangle_count;) {
         before_batch_();
         const bool is_new = !whole_;
-        const Batch batch = whole_ ? *whole_ : next(first);
+        const SceneBatch batch = whole_ ? *whole_ : next(first);
         use(batch, is_new);
         recorder_.flush();
         if (batch.geometry.triangle_count == source_.triangle_count) whole_ = batch;
@@ -56,7 +56,10 @@ BatchFeed::Array BatchFeed::array_of(cl_mem on_device, size_t bytes_per_item,
 
 // NULL: the source is not to write it.
 void* BatchFeed::filled(Array& array) const {
-    return array.on_device ? array.on_host[turn_].filled_anew() : nullptr;
+    if (!array.on_device) return nullptr;
+    HostWrite& host = array.on_host[turn_];
+    if (host.is_under_way()) recorder_.count([](rsh_statistics& sums) { ++sums.host_waits; });
+    return host.filled_anew();
 }
 
 void BatchFeed::upload(Array& array, cl_uint items) {
@@ -65,7 +68,7 @@ void BatchFeed::upload(Array& array, cl_uint items) {
                         items * array.bytes_per_item);
 }
 
-Batch BatchFeed::next(cl_uint first_triangle) {
+SceneBatch BatchFeed::next(cl_uint first_triangle) {
     const rsh_batch filled = ask(first_triangle);
     upload(positions_, filled.vertex_count);
     upload(indices_, filled.triangle_count);
@@ -96,8 +99,8 @@ rsh_batch BatchFeed::ask(cl_uint first_triangle) {
     return batch;
 }
 
-Batch BatchFeed::batch_of(const rsh_batch& filled) const {
-    Batch batch = {filled.first_triangle, {}};
+SceneBatch BatchFeed::batch_of(const rsh_batch& filled) const {
+    SceneBatch batch = {filled.first_triangle, {}};
     batch.geometry.vertices = memory_.positions;
     batch.geometry.vertex_count = filled.vertex_count;
     batch.geometry.indices = memory_.indices;
@@ -106,7 +109,7 @@ Batch BatchFeed::batch_of(const rsh_batch& filled) const {
 }
 
 // For a call that only notes its programs.
-Batch BatchFeed::stand_in() const {
+SceneBatch BatchFeed::stand_in() const {
     rsh_batch batch = {};
     batch.triangle_count = memory_.triangles;
     batch.vertex_count = kCorners * memory_.triangles;

@@ -18,7 +18,7 @@ public:
     // Called before each batch; throws to stop.
     using BeforeBatch = std::function<void()>;
     // is_new: it was not there before, so that its bounds are to be made.
-    using UseBatch = std::function<void(const Batch& batch, bool is_new)>;
+    using UseBatch = std::function<void(const SceneBatch& batch, bool is_new)>;
 
     BatchFeed(Recorder& recorder, const BatchNeeds& needs, const BatchMemory& memory,
               BeforeBatch before_batch);
@@ -37,10 +37,10 @@ private:
     void* filled(Array& array) const;
     void upload(Array& array, cl_uint items);
 
-    Batch next(cl_uint first_triangle);
-    Batch stand_in() const;
+    SceneBatch next(cl_uint first_triangle);
+    SceneBatch stand_in() const;
     rsh_batch ask(cl_uint first_triangle);
-    Batch batch_of(const rsh_batch& filled) const;
+    SceneBatch batch_of(const rsh_batch& filled) const;
 
     Recorder& recorder_;
     const rsh_batch_source& source_;
@@ -48,7 +48,7 @@ private:
     const BeforeBatch before_batch_;
     Array positions_, indices_, normals_, texcoords_, material_ids_;
     size_t turn_ = 0;
-    std::optional<Batch> whole_;  // on the device: all of the scene
+    std::optional<SceneBatch> whole_;  // on the device: all of the scene
 };
 
 }  // namespace rsh

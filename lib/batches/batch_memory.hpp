@@ -8,6 +8,12 @@
 
 namespace rsh {
 
+// The triangles of a batch: on the device, packed.
+struct SceneBatch {
+    cl_uint first_triangle;
+    rsh_geometry geometry;
+};
+
 // What a call needs of the batches of a source.
 struct BatchNeeds {
     const rsh_batch_source* source;

@@ -8,7 +8,7 @@
 namespace rsh {
 namespace {
 
-void bound_batch(Recorder& recorder, const Batch& batch, const BatchMemory& memory,
+void bound_batch(Recorder& recorder, const SceneBatch& batch, const BatchMemory& memory,
                  cl_uint shape) {
     rsh_bound_desc pass = {};
     pass.struct_size = sizeof pass;
@@ -36,7 +36,7 @@ void find_hits(Recorder& recorder, BatchFeed& feed, const BatchMemory& memory,
     clear_hits(recorder, pass, "traverse/clear_hits");
     pass.continued = 1;
     pass.bounds = memory.bounds;
-    feed.for_each([&](const Batch& batch, bool is_new) {
+    feed.for_each([&](const SceneBatch& batch, bool is_new) {
         if (is_new && memory.bounds) bound_batch(recorder, batch, memory, pass.shape);
         pass.geometry = batch.geometry;
         pass.first_triangle = batch.first_triangle;

@@ -39,6 +39,9 @@ SeenTriangles seen_triangles(const Scratch& scratch, cl_uint wave, cl_uint rays)
 
 rsh_scene scene_of(const rsh_scene& scene, const SeenTriangles& seen) {
     rsh_scene with_seen = scene;
+    with_seen.geometry = {};
+    with_seen.normal_stride = 0;
+    with_seen.normals_offset = 0;
     with_seen.geometry.vertices = seen.corners;
     with_seen.geometry.vertex_count = 3 * seen.count;
     with_seen.geometry.triangle_count = seen.count;
@@ -48,7 +51,7 @@ rsh_scene scene_of(const rsh_scene& scene, const SeenTriangles& seen) {
     return with_seen;
 }
 
-void keep_seen(Recorder& recorder, const Batch& batch, const BatchMemory& memory,
+void keep_seen(Recorder& recorder, const SceneBatch& batch, const BatchMemory& memory,
                const rsh_traverse_desc& rays, const SeenTriangles& seen) {
     recorder.launch(RSH_STAGE_OTHER, {kProgram, "rsh_keep_seen"},
                     recorder.stream_range(rays_of(rays)), mesh_view_of(batch.geometry),

@@ -19,14 +19,8 @@ SeenTriangles seen_triangles(const Scratch& scratch, cl_uint wave, cl_uint rays)
 // The scene with these triangles.
 rsh_scene scene_of(const rsh_scene& scene, const SeenTriangles& seen);
 
-// The triangles of a batch: on the device, packed.
-struct Batch {
-    cl_uint first_triangle;
-    rsh_geometry geometry;
-};
-
 // Takes from a batch what closest hits name of it.
-void keep_seen(Recorder& recorder, const Batch& batch, const BatchMemory& memory,
+void keep_seen(Recorder& recorder, const SceneBatch& batch, const BatchMemory& memory,
                const rsh_traverse_desc& rays, const SeenTriangles& seen);
 // After the last batch: hits name places of these triangles from now on.
 void number_seen(Recorder& recorder, const rsh_traverse_desc& rays, const SeenTriangles& seen);

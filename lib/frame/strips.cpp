@@ -65,8 +65,8 @@ StripSize strip_size(const Context& context, const rsh_frame_desc& desc) {
         const cl_uint triangles = fitting_triangles(*desc.batches, budget, [&](cl_uint tried) {
             return strip_scratch(context, desc, {size.rows, tried}).bytes();
         });
-        fits = triangles > 0;
-        if (fits) size.triangles = triangles;
+        fits = triangles > 0 || (fits && size.triangles == 0);
+        if (triangles > 0) size.triangles = triangles;
     }
     if (!fits && desc.budget)
         throw Error(RSH_INVALID_VALUE, "budget: is ", desc.budget, ", must be 0 or at least ",

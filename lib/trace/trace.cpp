@@ -37,23 +37,38 @@ BatchNeeds needs_of(const rsh_trace_desc& desc) {
             trace_traverse(desc).shape};
 }
 
-size_t batch_bytes(const Context& context, const rsh_trace_desc& desc, cl_uint triangles) {
-    Layout layout(context.caps.alignment);
+// Of so many triangles, and of their traversal.
+void add_batch(Layout& layout, const Context& context, const rsh_trace_desc& desc,
+               cl_uint triangles) {
     reserve_batch(layout, context, needs_of(desc), triangles);
-    return layout.bytes();
+    layout.add("traverse", batch_scratch_bytes(context, trace_traverse(desc), triangles));
 }
 
-// Of a batch, at most.
+void add_nodes(Layout& layout, const Context& context, const rsh_trace_desc& desc) {
+    const rsh_traverse_desc pass = trace_traverse(desc);
+    if (!desc.rays) layout.add_array<rsh_ray>("rays", ray_count(desc.width, desc.height));
+    if (!has_nodes(desc)) return;
+    const NodeShape& shape = find_shape(pass.shape);
+    const ray_levels levels = shape.levels(desc.width, desc.height);
+    layout.add("nodes", shape.bytes(levels));
+    layout.add("build scratch", shape.scratch(context, levels).bytes());
+}
+
+// Of a batch, at most: what it takes keeps to the caller's budget, or all of the call to the usual one.
 cl_uint batch_triangles(const Context& context, const rsh_trace_desc& desc) {
     const rsh_batch_source& source = *desc.batches;
+    const auto bytes_of = [&](cl_uint triangles) {
+        Layout layout(context.caps.alignment);
+        if (!desc.batch_budget) add_nodes(layout, context, desc);
+        add_batch(layout, context, desc, triangles);
+        return layout.bytes();
+    };
     const cl_ulong budget = desc.batch_budget ? desc.batch_budget : context.caps.usual_budget();
-    const cl_uint fits = fitting_triangles(source, budget, [&](cl_uint triangles) {
-        return batch_bytes(context, desc, triangles);
-    });
+    const cl_uint fits = fitting_triangles(source, budget, bytes_of);
     const cl_uint least = least_batch_triangles(source);
     if (fits == 0 && least > 0 && desc.batch_budget)
         throw Error(RSH_INVALID_VALUE, "batch_budget: is ", desc.batch_budget,
-                    ", must be 0 or at least ", batch_bytes(context, desc, least));
+                    ", must be 0 or at least ", bytes_of(least));
     return std::max(fits, least);
 }
 
@@ -109,21 +124,12 @@ cl_uint chosen_strategy(const Context& context, const rsh_trace_desc& desc) {
 }
 
 Layout trace_scratch(const Context& context, const rsh_trace_desc& desc) {
-    const rsh_traverse_desc pass = trace_traverse(desc);
     Layout layout(context.caps.alignment);
-    if (!desc.rays) layout.add_array<rsh_ray>("rays", ray_count(desc.width, desc.height));
-    if (desc.batches) {
-        const cl_uint triangles = batch_triangles(context, desc);
-        reserve_batch(layout, context, needs_of(desc), triangles);
-        layout.add("traverse", batch_scratch_bytes(context, pass, triangles));
-    } else {
-        layout.add("traverse", traverse_scratch(context, pass).bytes());
-    }
-    if (!has_nodes(desc)) return layout;
-    const NodeShape& shape = find_shape(pass.shape);
-    const ray_levels levels = shape.levels(desc.width, desc.height);
-    layout.add("nodes", shape.bytes(levels));
-    layout.add("build scratch", shape.scratch(context, levels).bytes());
+    add_nodes(layout, context, desc);
+    if (desc.batches)
+        add_batch(layout, context, desc, batch_triangles(context, desc));
+    else
+        layout.add("traverse", traverse_scratch(context, trace_traverse(desc)).bytes());
     return layout;
 }
 

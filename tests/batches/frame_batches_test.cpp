@@ -103,6 +103,31 @@ TEST_F(FrameBatches, HaveThemWithEveryBudget) {
         }
 }
 
+// Layouts are those of the batches: packed, whatever the scene says of buffers that it does not have.
+TEST_F(FrameBatches, HaveThemWhereTheSceneHasStridesOfItsOwn) {
+    const auto whole = test::frame(whole_, options_);
+    batched_.desc.geometry.vertex_stride = 24;
+    batched_.desc.geometry.vertices_offset = 1u << 20;
+    batched_.desc.geometry.indices_offset = 1u << 20;
+    batched_.desc.normal_stride = 24;
+    batched_.desc.normals_offset = 12;
+    const SceneSource source(scene_, 400);
+    EXPECT_TRUE(test::same_bits(in_batches(source, options_), whole, "pixels"));
+}
+
+TEST_F(FrameBatches, OfNoTrianglesShowTheEnvironment) {
+    test::Scene empty = scene_;
+    empty.mesh = {};
+    const SceneSource source(empty, 0);
+    rsh_batch_source none = *source.get();
+    none.attributes |= RSH_BATCH_NORMALS | RSH_BATCH_TEXCOORDS;
+    options_.batches = &none;
+    const auto pixels = test::frame(batched_, options_);
+    for (const cl_float4& pixel : pixels) EXPECT_EQ(pixel.s[3], 0.0f);
+    options_.budget = size_t{1} << 28;
+    EXPECT_TRUE(test::same_bits(test::frame(batched_, options_), pixels, "pixels"));
+}
+
 // Strips that were finished stay.
 TEST_F(FrameBatches, ThatStopHaveTheStripsBefore) {
     const auto whole = test::frame(whole_, options_);

@@ -77,6 +77,48 @@ TEST_F(TraceBatches, FindsWhatOneGeometryHolds) {
         }
 }
 
+// Rays behind the count are neither read nor answered; nodes that are seen from t = 1 take another way.
+TEST_F(TraceBatches, TakesListsAndRaysThatConverge) {
+    const Rays rays =
+        test::converging_rays(random_, test::small() ? 100 : 900, 1, {0.2f, 0.1f, 0.3f});
+    const uint32_t count = rays.width - 37;
+    const Buffer<rsh_ray> ray_buffer(rays.rays);
+    const Buffer<uint32_t> list_count(std::vector<uint32_t>{count});
+    const std::vector<rsh_hit> before(rays.rays.size(), rsh_hit{7, 7, 7, 7});
+    auto expected = closest_hits(whole_, rays, test::brute_force());
+    std::copy(before.begin() + count, before.end(), expected.begin() + count);
+    desc_.rays = ray_buffer.get();
+    desc_.width = rays.width;
+    desc_.height = 1;
+    desc_.list_count = list_count.get();
+    for (const test::TraceOptions& way : test::brute_force_and_all_ways())
+        for (const cl_uint converging : {0u, 1u}) {
+            const Buffer<rsh_hit> hits(before);
+            desc_.hits = hits.get();
+            desc_.engine = way.engine;
+            desc_.converging = converging;
+            RSH_CHECK(trace(SceneSource(scene_, 60)));
+            EXPECT_TRUE(test::same_bits(hits.read(), expected, "hits"))
+                << name_of(way) << ", converging " << converging;
+        }
+}
+
+// A batch may have fewer triangles than there is room for: no part of scratch grows then.
+TEST_F(TraceBatches, OfFewerTrianglesTakeNoMoreScratch) {
+    rsh_bound_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.shape = RSH_SHAPE_BOX;
+    size_t before = 0;
+    for (cl_uint triangles = 1; triangles < 3000000; triangles += 1 + triangles / 300) {
+        desc.geometry.triangle_count = triangles;
+        rsh_sizes sizes = {};
+        sizes.struct_size = sizeof sizes;
+        RSH_CHECK(rsh_bound_query(test::device().rsh, &desc, &sizes));
+        ASSERT_GE(sizes.scratch_bytes, before) << triangles << " triangles";
+        before = sizes.scratch_bytes;
+    }
+}
+
 TEST_F(TraceBatches, OfNoTrianglesFindsNothing) {
     const test::Scene empty;
     RSH_CHECK(trace(SceneSource(empty, 0)));
@@ -167,6 +209,9 @@ TEST_F(TraceBatches, RefusesWhatDoesNotGoTogether) {
     desc_ = before;
     desc_.normals = hits_.get();
     expect_refused(*good.get(), "normals: is set, must be NULL with batches");
+    desc_ = before;
+    desc_.geometry.indices = occlusion_.get();
+    expect_refused(*good.get(), "geometry.indices: is set, must be NULL with batches");
     desc_ = before;
     desc_.skip = occlusion_.get();
     expect_refused(*good.get(), "skip_corners: is NULL");

@@ -48,8 +48,8 @@ public:
             places_.push_back(rays.skip[i] == RSH_NO_HIT ? RSH_NO_HIT : uint32_t(i));
             numbers_.push_back(rays.skip[i]);
             test::Corners corners = {};
-            if (rays.skip[i] == RSH_NO_HIT || !mesh.corners(rays.skip[i], &corners))
-                corners = {};
+            const bool is_one = rays.skip[i] < mesh.triangle_count();
+            if (!is_one || !mesh.corners(rays.skip[i], &corners)) corners = {};
             corners_.insert(corners_.end(), corners.begin(), corners.end());
         }
         if (places_.empty()) return;
@@ -252,6 +252,30 @@ TEST_F(Batches, AreRefusedWhereTheyAreNone) {
     desc.skip_corners = words.get();
     desc.hits = nullptr;
     expect_refused(desc, "query: is 2, must be RSH_QUERY_CLOSEST or RSH_QUERY_ANY with skip");
+}
+
+// A hit may be of a triangle that is not there.
+TEST_F(Batches, AreNotDescribed) {
+    const DeviceMesh mesh(test::grid(2));
+    const Buffer<float> floats(3 * 64);
+    rsh_trace_desc desc = {};
+    desc.struct_size = sizeof desc;
+    desc.geometry = mesh.geometry();
+    desc.width = desc.height = 8;
+    desc.rays = desc.hits = floats.get();
+    desc.first_triangle = 1;
+    rsh_sizes sizes = {};
+    sizes.struct_size = sizeof sizes;
+    for (cl_mem rsh_trace_desc::*member :
+         {&rsh_trace_desc::normals, &rsh_trace_desc::points, &rsh_trace_desc::geometry_ids}) {
+        rsh_trace_desc wrong = desc;
+        wrong.*member = floats.get();
+        EXPECT_EQ(rsh_trace_query(test::device().rsh, &wrong, &sizes), RSH_INVALID_VALUE);
+        EXPECT_NE(
+            std::string(rsh_last_error()).find("must be NULL with continued or first_triangle"),
+            std::string::npos)
+            << rsh_last_error();
+    }
 }
 
 TEST_F(Batches, OfWhichSomeAreLeftOutGiveTheHitsOfTheOthers) {

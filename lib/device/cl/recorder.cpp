@@ -137,7 +137,9 @@ void Recorder::write(cl_uint stage, HostWrite& from, cl_mem buffer, size_t bytes
 }
 
 void Recorder::flush() {
-    if (!only_notes()) require_success(opencl(queue_).clFlush(queue_), "clFlush");
+    if (only_notes() || commands().empty()) return;
+    require_success(opencl(queue_).clFlush(queue_), "clFlush");
+    commands().erase(commands().begin(), commands().end() - 1);
 }
 
 void Recorder::copy_word(cl_mem from, cl_mem to, size_t index) {

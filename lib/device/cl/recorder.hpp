@@ -80,7 +80,8 @@ public:
     void count_later(cl_mem buffer, size_t word_count, CountRead::Use use);
     // Copies the front of the host's memory to that of `buffer`.
     void write(cl_uint stage, HostWrite& from, cl_mem buffer, size_t bytes);
-    // What was recorded begins to run; for calls that go on for long.
+    // What was recorded begins to run, and of its events only the last one is kept, which ends after all
+    // others; for calls that go on for long.
     void flush();
     // Copies a word of `from` to the word `index` of `to`.
     void copy_word(cl_mem from, cl_mem to, size_t index);

@@ -11,6 +11,9 @@ Scratch::Scratch(Recorder& recorder, const Layout& layout, cl_mem given)
         take_stand_ins(recorder.wrong_buffers());
         return;
     }
+    if (given && info<size_t>(given, CL_MEM_SIZE) < layout.bytes())
+        throw Error(RSH_INTERNAL_ERROR, "scratch: holds ", info<size_t>(given, CL_MEM_SIZE),
+                    " bytes, must hold ", layout.bytes());
     const Span span = span_of(given ? given : recorder.borrow_scratch(layout.bytes()));
     for (size_t i = 0; i < buffers_.size(); ++i) {
         const Layout::Part& part = layout.parts()[i];

@@ -14,10 +14,14 @@ void CL_CALLBACK free_memory(cl_event, cl_int, void* memory) {
 HostWrite::HostWrite(size_t bytes) : memory_(new char[bytes]) {}
 
 HostWrite::~HostWrite() {
-    if (!memory_ || !event_ || has_ended(event_.get())) return;
+    if (!memory_ || !is_under_way()) return;
     char* const memory = memory_.release();
     // A failure leaks it, on purpose.
     opencl(event_.get()).clSetEventCallback(event_.get(), CL_COMPLETE, free_memory, memory);
+}
+
+bool HostWrite::is_under_way() const noexcept {
+    return event_ && !has_ended(event_.get());
 }
 
 void* HostWrite::filled_anew() {

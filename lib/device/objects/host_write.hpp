@@ -17,6 +17,8 @@ public:
     HostWrite(HostWrite&&) noexcept = default;
     HostWrite& operator=(HostWrite&&) = delete;
 
+    // Whether a command may still read it.
+    bool is_under_way() const noexcept;
     // To be filled. BLOCKS until the last command has read it; throws when that failed, or cannot be known.
     void* filled_anew();
     // Enqueues a copy of its front to that of `buffer`, after `waits`. Returns the command.
