@@ -5,7 +5,7 @@ import numpy as np
 import pyopencl as cl
 import pyopencl.array as cla
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hn
 
@@ -131,6 +131,7 @@ def test_vertices(array, layout, moves):
 def test_faces(mesh, array, layout):
     made = LAYOUTS[layout](array)
     plain = np.asarray(made)
+    assume(made is not None)  # as a date that is none becomes in a list: then there are no faces
     is_right = plain.dtype.kind in "iu" and plain.ndim == 2 and plain.shape[1] == 3
     is_right = is_right and (plain.size == 0 or 0 <= int(plain.min()) <= int(plain.max()) < 2**32)
 
