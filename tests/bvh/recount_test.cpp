@@ -93,16 +93,6 @@ size_t bounds_bytes(const rsh_bound_desc& desc) {
     return sizes.output_bytes;
 }
 
-// Mirrors, so that rays are traced.
-test::Scene mirrors(const Mesh& mesh) {
-    test::Scene scene = test::plain();
-    scene.materials[0].reflection = {{0.5f, 0.5f, 0.5f, 0}};
-    scene.lights[0].casts_shadow = 1;
-    scene.mesh = mesh;
-    scene.material_ids.assign(mesh.triangle_count(), 0);
-    return scene;
-}
-
 TEST(Recount, LeavesThePixelsOfBruteForce) {
     test::FrameOptions options;
     options.width = options.height = test::small() ? 12 : 40;
@@ -117,7 +107,7 @@ TEST(Recount, LeavesThePixelsOfBruteForce) {
         for (const test::TraceOptions& way : test::all_ways())
             kept.try_emplace(way.engine, way.engine, largest.geometry());
         for (const uint32_t count : counts) {
-            const test::DeviceScene scene(mirrors(first_of(mesh, count)));
+            const test::DeviceScene scene(test::mirror_scene(first_of(mesh, count)));
             const auto expected = test::frame(scene, options);
             for (auto& [engine, frames] : kept)
                 EXPECT_TRUE(test::same_bits(frames.render(scene, options), expected, "pixels"))

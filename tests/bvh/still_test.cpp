@@ -127,16 +127,6 @@ TEST(Still, LeavesTheAnswersOfBruteForce) {
         }
 }
 
-// Mirrors, so that rays are traced.
-test::Scene mirrors(const Mesh& mesh) {
-    test::Scene scene = test::plain();
-    scene.materials[0].reflection = {{0.5f, 0.5f, 0.5f, 0}};
-    scene.lights[0].casts_shadow = 1;
-    scene.mesh = mesh;
-    scene.material_ids.assign(mesh.triangle_count(), 0);
-    return scene;
-}
-
 TEST(Still, LeavesThePixelsOfBruteForce) {
     const Split split = test::small() ? Split{33, 17} : Split{600, 400};
     Random random(85);
@@ -147,11 +137,11 @@ TEST(Still, LeavesThePixelsOfBruteForce) {
     options.bounces = 1;
     for (const test::TraceOptions& way : test::all_ways()) {
         SCOPED_TRACE(name_of(way));
-        test::DeviceScene largest(mirrors(frames[0]));
+        test::DeviceScene largest(test::mirror_scene(frames[0]));
         largest.desc.geometry.still_triangles = split.still;
         test::KeptFrames kept(way.engine, largest.desc.geometry);
         for (const Mesh& frame : frames) {
-            test::DeviceScene scene(mirrors(frame));
+            test::DeviceScene scene(test::mirror_scene(frame));
             options.engine = RSH_ENGINE_BRUTE_FORCE;
             const auto expected = test::frame(scene, options);
             scene.desc.geometry.still_triangles = split.still;

@@ -181,4 +181,13 @@ Scene plain() {
     return scene;
 }
 
+Scene mirror_scene(const Mesh& mesh) {
+    Scene scene = plain();
+    scene.materials[0].reflection = {{0.5f, 0.5f, 0.5f, 0}};
+    scene.lights[0].casts_shadow = 1;
+    scene.mesh = mesh;
+    scene.material_ids.assign(mesh.triangle_count(), 0);
+    return scene;
+}
+
 }  // namespace test

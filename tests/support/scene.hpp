@@ -47,4 +47,7 @@ Scene gallery();
 // Matte, flat, one light without shadow: needs no feature.
 Scene plain();
 
+// A mesh of mirrors and a light with shadow, so that rays are traced.
+Scene mirror_scene(const Mesh& mesh);
+
 }  // namespace test
